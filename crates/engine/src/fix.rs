@@ -12,7 +12,7 @@ use super::run::lint_sides;
 use mhlint_config::Config;
 use mhlint_diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step, grouped};
 use mhlint_fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
-use mhlint_formats::{mhw_edit, target_edit};
+use mhlint_formats::{mhw, target};
 use mhlint_json::{self as json, Finder};
 use mhlint_source::{Limits, Tree, resolved};
 
@@ -407,11 +407,11 @@ fn rewritten(rewrite: Rewrite, text: &[u8]) -> Vec<Edit> {
             vec![Edit::removal(0..3)]
         }
         Rewrite::DropByteOrderMark => Vec::new(),
-        Rewrite::DropZeroRows => target_edit::drop_zero_rows(text),
-        Rewrite::KeepLastRows => target_edit::keep_last_rows(text),
-        Rewrite::DropSmallWeights => mhw_edit::drop_small_weights(text),
-        Rewrite::MergeWeights => mhw_edit::merge_weights(text),
-        Rewrite::NormalizeWeights => mhw_edit::normalize_weights(text),
+        Rewrite::DropZeroRows => target::edit::drop_zero_rows(text),
+        Rewrite::KeepLastRows => target::edit::keep_last_rows(text),
+        Rewrite::DropSmallWeights => mhw::edit::drop_small_weights(text),
+        Rewrite::MergeWeights => mhw::edit::merge_weights(text),
+        Rewrite::NormalizeWeights => mhw::edit::normalize_weights(text),
     }
 }
 

@@ -12,7 +12,7 @@ use mhlint_discover::extension;
 use mhlint_eval::scene::Scene;
 use mhlint_formats::macro_json::MacroFile;
 use mhlint_formats::mhbin;
-use mhlint_formats::obj_text::text_of;
+use mhlint_formats::obj::text::text_of;
 use mhlint_formats::target::MeshSize;
 use mhlint_source::{Entry, Limits, Tree};
 

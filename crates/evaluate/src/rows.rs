@@ -14,9 +14,9 @@ use mhlint_eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_o
 use mhlint_eval::scene::{Setting, SettingError};
 use mhlint_eval::tears::Neighbours;
 use mhlint_eval::vector::Point;
+use mhlint_formats::npz;
 use mhlint_formats::obj::Mesh;
 use mhlint_formats::target::{self, BlankFacts, Row, Target, TargetFacts};
-use mhlint_formats::targets_npz;
 use mhlint_repo::FileFacts;
 use mhlint_source::{Encoding, gunzip};
 
@@ -144,7 +144,7 @@ impl Evaluation {
             Some(bytes) => bytes,
             None => archive.insert(self.read_file(path, name)?),
         };
-        let rows = targets_npz::rows(bytes, &self.limits, member);
+        let rows = npz::targets::rows(bytes, &self.limits, member);
         let rows =
             rows.ok_or_else(|| Error::file(path, format!("`{name}` cannot be read from it")))?;
         match rows

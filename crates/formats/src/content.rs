@@ -16,7 +16,6 @@ use super::macro_parts::MacroParts;
 use super::mesh_metadata::{BodyDimensions, MirrorTable, VertexGroups};
 use super::meta::Meta;
 use super::mhbin::MeshFault;
-use super::mhbin_asset::Packed;
 use super::mhclo::Clothes;
 use super::mhm::Model;
 use super::mhmat::Material;
@@ -24,10 +23,6 @@ use super::mhpose::Pose;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
 use super::modelling::Modelling;
-use super::modifier_file::ModifierFile;
-use super::modifier_mapping::ModifierMapping;
-use super::modifier_sliders::ModifierSliders;
-use super::modifier_texts::ModifierTexts;
 use super::npz::Archive;
 use super::obj::Mesh;
 use super::outdated::{Alpha, Outdated};
@@ -47,10 +42,15 @@ use super::stored_pose::StoredPose;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
-use super::targets_npz::TargetsNpz;
 use super::unfit::LoaderFaults;
 use super::uv_layer::UvLayer;
 use super::uv_map::UvMap;
+use crate::mhbin::asset::Packed;
+use crate::modifiers::file::ModifierFile;
+use crate::modifiers::mapping::ModifierMapping;
+use crate::modifiers::sliders::ModifierSliders;
+use crate::modifiers::texts::ModifierTexts;
+use crate::npz::targets::TargetsNpz;
 
 /// Content of a file as rules need it.
 #[derive(Debug, Clone, Default)]

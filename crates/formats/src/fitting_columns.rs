@@ -5,9 +5,9 @@
 use std::ops::Range;
 
 use super::mhclo::{Reference, RowFacts};
-use super::npy_table::{Cell, Table};
 use super::stored;
 use super::target::MeshSize;
+use crate::npy::table::{Cell, Table};
 
 /// The columns; where each row has but one vertex there are no offsets.
 pub(super) struct Columns {

@@ -5,13 +5,14 @@
 //! compared with, or why it cannot be loaded. Keeps no rows.
 
 use super::fitting_columns::{self, Columns};
-use super::mhbin_asset::Mask;
 use super::mhclo::RowFacts;
 use super::npy::NpyFault;
-use super::npy_table::{self, Cell, Table};
 use super::npz::Members;
 use super::stored;
 use super::target::MeshSize;
+use crate::mhbin::asset::Mask;
+use crate::npy;
+use crate::npy::table::{Cell, Table};
 
 /// What is worn, as it is packed.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -70,7 +71,7 @@ type Fault = (&'static str, Option<NpyFault>);
 
 fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, Fault> {
     let table = members
-        .read(name, |reader| npy_table::read_any(reader, cells))
+        .read(name, |reader| npy::table::read_any(reader, cells))
         .ok_or((name, None))?;
     table.map_err(|fault| (name, Some(fault)))
 }
@@ -272,8 +273,8 @@ fn scale(members: &mut Members<'_>, proxy: &mut PackedProxy) -> Result<(), Fault
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mhbin_asset::{self, Packed};
-    use crate::npz_samples::{npy, zip_of};
+    use crate::mhbin::asset::{self, Packed};
+    use crate::npz::samples::{npy, zip_of};
     use mhlint_source::Limits;
 
     fn text_of(text: &[u8]) -> Vec<u8> {
@@ -313,7 +314,7 @@ mod tests {
     }
 
     fn of(members: &[(&str, Vec<u8>)]) -> PackedProxy {
-        match mhbin_asset::parse(&zip_of(members), &Limits::default(), None) {
+        match asset::parse(&zip_of(members), &Limits::default(), None) {
             Packed::Proxy(proxy) => *proxy,
             other => panic!("{other:?}"),
         }
@@ -348,7 +349,7 @@ mod tests {
                 .filter(|(own, _)| *own != name)
                 .collect();
             let missing = Some((name.trim_end_matches(".npy"), None));
-            let found = mhbin_asset::parse(&zip_of(&members), &Limits::default(), None);
+            let found = asset::parse(&zip_of(&members), &Limits::default(), None);
             let fault = if let Packed::Proxy(proxy) = found {
                 proxy.fault
             } else {
@@ -421,11 +422,11 @@ mod tests {
     fn every_truncation_and_every_changed_byte_is_survived() {
         let bytes = zip_of(&least());
         for at in 0..bytes.len() {
-            mhbin_asset::parse(&bytes[..at], &Limits::default(), None);
+            asset::parse(&bytes[..at], &Limits::default(), None);
             for value in [0, 0x7f, 0xff] {
                 let mut changed = bytes.clone();
                 changed[at] = value;
-                mhbin_asset::parse(&changed, &Limits::default(), None);
+                asset::parse(&changed, &Limits::default(), None);
             }
         }
     }

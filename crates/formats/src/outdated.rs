@@ -2,8 +2,8 @@
 //! file (`docs/loaders/versions.md#formats-that-are-gone`).
 
 use super::fields::fields;
-use super::mhm_lines::{Line, Lines, keywords};
 use super::{python_float, python_int};
+use crate::mhm::lines::{Line, Lines, keywords};
 use mhlint_json::{Document, Node};
 use mhlint_source::lines;
 
@@ -177,7 +177,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::mhm_lines;
+    use crate::mhm;
     use mhlint_json::parse;
 
     #[test]
@@ -206,7 +206,7 @@ mod tests {
             ("gender 0.5\n", None),
         ] {
             assert_eq!(
-                of_model(&mhm_lines::read(text.as_bytes())),
+                of_model(&mhm::lines::read(text.as_bytes())),
                 expected,
                 "{text}"
             );
@@ -265,7 +265,7 @@ mod tests {
         fn no_words_stop_it(words in prop::collection::vec("version|1.0.0|macro|quat|matrix|[0-9]{1,3}|\n", 0..60)) {
             let text = words.join(" ");
             of_pose(text.as_bytes());
-            of_model(&mhm_lines::read(text.as_bytes()));
+            of_model(&mhm::lines::read(text.as_bytes()));
         }
     }
 }

@@ -8,9 +8,9 @@ use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
-    Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo,
-    mhm, mhmat, mhpose, mhw, modifier_mapping, npz, obj, outdated, picture, picture_list as list,
-    scene, shader_source, stored_pose as stored, targets_npz, uv_layer as layer, uv_map,
+    Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhclo, mhm, mhmat,
+    mhpose, mhw, modifiers, npz, obj, outdated, picture, picture_list as list, scene,
+    shader_source, stored_pose as stored, uv_layer as layer, uv_map,
 };
 use mhlint_json::{self as json, Document, SchemaFaults};
 use mhlint_source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -187,7 +187,7 @@ pub(super) fn model(input: &Input<'_>) -> Parsed {
 /// The table of older names.
 pub(super) fn modifier_mapping(input: &Input<'_>) -> Parsed {
     Parsed {
-        content: Content::Mapping(Box::new(modifier_mapping::read(input.bytes))),
+        content: Content::Mapping(Box::new(modifiers::mapping::read(input.bytes))),
         ..hashed(input)
     }
 }
@@ -406,7 +406,7 @@ pub(super) fn zip(input: &Input<'_>) -> Parsed {
     };
     let mut parsed = zip_within(input, &limits);
     if parsed.gzip_fault.is_none() {
-        parsed.content = Content::Packed(Box::new(mhbin_asset::parse(
+        parsed.content = Content::Packed(Box::new(mhbin::asset::parse(
             input.bytes,
             input.limits,
             input.mesh,
@@ -420,7 +420,10 @@ pub(super) fn base_zip(input: &Input<'_>) -> Parsed {
     let parsed = zip_within(input, &input.limits.of_arrays());
     let content = match &parsed.gzip_fault {
         Some(_) => parsed.content,
-        None => Content::Packed(Box::new(mhbin_asset::parse_base(input.bytes, input.limits))),
+        None => Content::Packed(Box::new(mhbin::asset::parse_base(
+            input.bytes,
+            input.limits,
+        ))),
     };
     Parsed { content, ..parsed }
 }
@@ -449,11 +452,11 @@ pub(super) fn archive(input: &Input<'_>) -> Parsed {
 pub(super) fn targets_archive(input: &Input<'_>) -> Parsed {
     let parsed = zip_within(input, &input.limits.of_arrays());
     let archive = match &parsed.gzip_fault {
-        Some(_) => targets_npz::TargetsNpz {
+        Some(_) => npz::targets::TargetsNpz {
             is_bomb: true,
-            ..targets_npz::TargetsNpz::default()
+            ..npz::targets::TargetsNpz::default()
         },
-        None => targets_npz::parse(input.bytes, input.limits),
+        None => npz::targets::parse(input.bytes, input.limits),
     };
     Parsed {
         content: Content::TargetsNpz(Box::new(archive)),

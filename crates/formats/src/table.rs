@@ -10,9 +10,8 @@ use super::readers::{
 use super::{
     Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset,
     importer_preset, ink_layer, look_settings, macro_json, macro_parts, mesh_metadata, mhskel,
-    modelling, modifier_file, modifier_sliders, modifier_texts, node_tree, outdated, pack_metadata,
-    pose_units, program, proxy_corrections, randomization, rig, selection_filter, target_cat,
-    target_catalog,
+    modelling, modifiers, node_tree, outdated, pack_metadata, pose_units, program,
+    proxy_corrections, randomization, rig, selection_filter, target_cat, target_catalog,
 };
 use mhlint_discover::Kind;
 use mhlint_json::Document;
@@ -162,19 +161,19 @@ pub static FORMATS: [Format; 70] = [
         Kind::ModifierFile,
         "list of modifiers",
         "mh1_modifiers",
-        |json| Content::Modifiers(Box::new(modifier_file::read(json))),
+        |json| Content::Modifiers(Box::new(modifiers::file::read(json))),
     ),
     json(
         Kind::ModifierTexts,
         "descriptions of modifiers",
         "mh1_descriptions",
-        |json| Content::ModifierTexts(Box::new(modifier_texts::read(json))),
+        |json| Content::ModifierTexts(Box::new(modifiers::texts::read(json))),
     ),
     json(
         Kind::ModifierSliders,
         "list of sliders",
         "mh1_sliders",
-        |json| Content::Sliders(Box::new(modifier_sliders::read(json))),
+        |json| Content::Sliders(Box::new(modifiers::sliders::read(json))),
     ),
     read(
         Kind::ModifierMapping,

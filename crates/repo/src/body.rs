@@ -9,7 +9,7 @@ use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use mhlint_diag::Application;
 use mhlint_formats::asset_mesh::AssetMesh;
 use mhlint_formats::bvh::Motion;
-use mhlint_formats::bvh_blender::ImportedMotion;
+use mhlint_formats::bvh::blender::ImportedMotion;
 use mhlint_formats::macro_json::MacroFile;
 use mhlint_formats::mhpose::Pose;
 use mhlint_formats::mhskel::Skeleton;

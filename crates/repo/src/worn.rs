@@ -4,7 +4,7 @@ use super::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, pare
 use mhlint_diag::{Application, Place};
 use mhlint_discover::Kind;
 use mhlint_formats::asset_mesh::AssetMesh;
-use mhlint_formats::mhbin_asset::Packed;
+use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::{Clothes, Entry};
 use mhlint_formats::mhpxy::PackedProxy;
 use mhlint_source::{Guess, normalized};

@@ -19,9 +19,9 @@ use mhlint_eval::makehuman1::variables::{FIRST_RACE, Human, SLIDERS, VARIABLES};
 use mhlint_eval::measures::Received;
 use mhlint_eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use mhlint_eval::settings::Dimension;
-use mhlint_formats::modifier_file::Part;
+use mhlint_formats::modifiers::file::Part;
 use mhlint_formats::obj::Mesh;
-use mhlint_formats::target_name::TargetName;
+use mhlint_formats::target::name::TargetName;
 use mhlint_repo::makehuman1::{KnownModifier, NamedTarget, View, mesh, shows};
 use mhlint_repo::{FileFacts, Layers};
 use mhlint_source::Limits;
@@ -382,7 +382,7 @@ fn dimensions(targets: &[&NamedTarget<'_>]) -> Vec<Dimension> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mhlint_formats::target_name::CATEGORIES;
+    use mhlint_formats::target::name::CATEGORIES;
 
     /// Formulas and names of files have lists of their own.
     #[test]

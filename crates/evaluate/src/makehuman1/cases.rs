@@ -15,7 +15,7 @@ use crate::{Error, SliderSetting, object};
 use mhlint_eval::influences::Influences;
 use mhlint_eval::makehuman1::variables::{Human, SLIDERS};
 use mhlint_formats::mhskel::Skeleton;
-use mhlint_formats::target_name::TargetName;
+use mhlint_formats::target::name::TargetName;
 use mhlint_json::Node;
 
 type Outputs = Map<String, Value>;

@@ -9,7 +9,7 @@ use crate::{Error, Evaluation, SliderSetting, object};
 use mhlint_eval::makehuman1::modifiers::{Factor, TargetGroup, clamped};
 use mhlint_eval::makehuman1::variables::{Human, SLIDERS};
 use mhlint_eval::scene::{Setting, SliderKind};
-use mhlint_formats::target_name::TargetName;
+use mhlint_formats::target::name::TargetName;
 
 /// The variables, what each of these modifiers does to its targets, and the weights of all targets,
 /// at a setting.

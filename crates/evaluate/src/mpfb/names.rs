@@ -3,7 +3,7 @@
 //! `docs/loaders/mpfb/models.md#saved-characters`).
 
 use mhlint_eval::scene::{Scene, SliderKind};
-use mhlint_formats::mhm_columns::setting_of;
+use mhlint_formats::mhm::columns::setting_of;
 
 /// The place of the slider that a name means, and the sign of its value: the target of the negative
 /// end lowers it.

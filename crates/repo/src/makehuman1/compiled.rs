@@ -8,7 +8,7 @@ use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Worn
 use mhlint_diag::Place;
 use mhlint_discover::archive_library_of;
 use mhlint_formats::asset_mesh::KeptFaces;
-use mhlint_formats::mhbin_asset::Packed;
+use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhpxy::{PackedProxy, USUAL_POLE};
 use mhlint_formats::python_int;
 

@@ -8,7 +8,7 @@ use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Worn, parent};
 use mhlint_diag::Place;
 use mhlint_discover::{Kind, library_of};
 use mhlint_formats::mhm::Word;
-use mhlint_formats::mhm_lines::{Line, Lines};
+use mhlint_formats::mhm::lines::{Line, Lines};
 
 /// The folder of characters, beside the user's data.
 const LIBRARY: &str = "models";
@@ -203,7 +203,7 @@ impl<'a> Asking<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mhlint_formats::mhm_lines::read;
+    use mhlint_formats::mhm::lines::read;
 
     #[test]
     fn a_version_has_two_numbers() {

@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::targets::Targets;
 use crate::{FileFacts, Layer, Layers, ReferenceKind};
-use mhlint_formats::modifier_file::{Modifier, ModifierFile, Part};
-use mhlint_formats::modifier_sliders::ModifierSliders;
-use mhlint_formats::modifier_texts::ModifierTexts;
-use mhlint_formats::target_name::category_of;
+use mhlint_formats::modifiers::file::{Modifier, ModifierFile, Part};
+use mhlint_formats::modifiers::sliders::ModifierSliders;
+use mhlint_formats::modifiers::texts::ModifierTexts;
+use mhlint_formats::target::name::category_of;
 
 /// The files that the program opens, in its order: each has a list of modifiers, their descriptions
 /// and their sliders.
@@ -213,7 +213,7 @@ pub fn category(variable: &str) -> Option<&'static str> {
         return None;
     }
     let small = variable.to_lowercase();
-    let own = mhlint_formats::target_name::CATEGORIES
+    let own = mhlint_formats::target::name::CATEGORIES
         .iter()
         .find(|(category, _)| *category == small);
     own.map(|(category, _)| *category)

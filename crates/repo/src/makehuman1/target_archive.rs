@@ -7,9 +7,9 @@ use super::targets::NamedTarget;
 use crate::{FileFacts, Layer};
 use mhlint_discover::TARGETS_NPZ;
 use mhlint_formats::npz::ArchiveFault;
+use mhlint_formats::npz::targets::{PackedTarget, TargetsNpz};
 use mhlint_formats::picture_list::PictureList;
-use mhlint_formats::target_name::{Clash, TargetName};
-use mhlint_formats::targets_npz::{PackedTarget, TargetsNpz};
+use mhlint_formats::target::name::{Clash, TargetName};
 
 /// The archive of the system's targets.
 #[derive(Debug)]

@@ -8,8 +8,8 @@ use super::target_archive::TargetArchive;
 use super::view::OWN;
 use crate::{FileFacts, Layer, Layers};
 use mhlint_discover::{Kind, Layout, Single, TARGETS_NPZ};
-use mhlint_formats::target_name::{Clash, TargetName, Values, values_below};
-use mhlint_formats::targets_npz::PackedTarget;
+use mhlint_formats::npz::targets::PackedTarget;
+use mhlint_formats::target::name::{Clash, TargetName, Values, values_below};
 use mhlint_source::folder_and_name;
 
 /// The folder of the user's own targets.

@@ -18,7 +18,7 @@ use crate::{
 use mhlint_diag::Application;
 use mhlint_discover::{Kind, library_of};
 use mhlint_formats::asset_mesh::AssetMesh;
-use mhlint_formats::mhbin_asset::Packed;
+use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::obj::Mesh;
 
 /// Whose uses of a file count here.

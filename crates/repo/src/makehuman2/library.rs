@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::OWN;
 use crate::{FileFacts, Layer, Layers};
 use mhlint_discover::{Kind, listed_in};
-use mhlint_formats::mhbin_asset::Packed;
+use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::Value;
 
 /// An asset that is listed.

@@ -30,7 +30,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(archive) = known.filter(|_| view.layers.checks_system()) else {
         return;
     };
-    let of_member = |(name, own): (&String, &mhlint_formats::targets_npz::PackedTarget)| {
+    let of_member = |(name, own): (&String, &mhlint_formats::npz::targets::PackedTarget)| {
         let file = view.layers.checked.file(&format!("{name}.target"))?;
         let facts = file.target()?;
         let (line, vertex, part) = facts.beyond_sixteen_bits?;

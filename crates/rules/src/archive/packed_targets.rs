@@ -7,9 +7,9 @@ use super::super::{Rule, and_more, counted};
 use super::{Sort, words};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place};
 use mhlint_discover::Kind;
+use mhlint_formats::npz::targets::PackedTarget;
 use mhlint_formats::npz::{ArchiveFault, NpyFault};
-use mhlint_formats::target_name::Clash;
-use mhlint_formats::targets_npz::PackedTarget;
+use mhlint_formats::target::name::Clash;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman1::{TargetArchive, Unused, View};
 

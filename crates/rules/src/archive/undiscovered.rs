@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, and_more, counted};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::Kind;
-use mhlint_formats::targets_npz::PackedTarget;
+use mhlint_formats::npz::targets::PackedTarget;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman1::{TargetArchive, View};
 

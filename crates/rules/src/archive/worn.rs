@@ -4,7 +4,7 @@ use super::Sort;
 use super::words::{missing, not_zip, of_member, of_mesh};
 use mhlint_diag::{Application::Makehuman2, Case, Level};
 use mhlint_formats::mhbin::MeshFault;
-use mhlint_formats::mhbin_asset::{Packed, PackedAsset, PackedFault};
+use mhlint_formats::mhbin::asset::{Packed, PackedAsset, PackedFault};
 use mhlint_formats::npz::ArchiveFault;
 use mhlint_repo::{FileFacts, View};
 

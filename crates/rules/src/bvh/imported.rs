@@ -3,7 +3,7 @@
 use super::super::{Rule, such};
 use mhlint_diag::{Evidence, Finding, Place};
 use mhlint_formats::bvh::Joint;
-use mhlint_formats::bvh_blender::{ImportFault, ImportFaultKind, ImportedMotion};
+use mhlint_formats::bvh::blender::{ImportFault, ImportFaultKind, ImportedMotion};
 use mhlint_repo::{Body, FileFacts};
 
 /// Which of the faults a rule is about.

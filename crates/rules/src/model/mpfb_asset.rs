@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::super::{Rule, RuleCx, did_you_mean, such};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use mhlint_discover::Kind;
-use mhlint_formats::mhm_columns::Wearing;
+use mhlint_formats::mhm::columns::Wearing;
 use mhlint_repo::mpfb::View;
 use mhlint_repo::{FileFacts, Worn};
 

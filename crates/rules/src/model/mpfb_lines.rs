@@ -4,8 +4,8 @@
 use super::super::{Rule, such};
 use super::unparted::{Unparted, unparted};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
+use mhlint_formats::mhm::columns::{Columns, SETTING};
 use mhlint_formats::mhm::{CATEGORIES, Model, Word};
-use mhlint_formats::mhm_columns::{Columns, SETTING};
 use mhlint_repo::FileFacts;
 
 const NOT_SET: Case = &[(

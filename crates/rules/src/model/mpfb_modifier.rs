@@ -8,7 +8,7 @@ use super::super::{Rule, RuleCx, did_you_mean, such};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use mhlint_discover::Kind;
 use mhlint_formats::macro_parts::RACES;
-use mhlint_formats::mhm_columns::{MACROS, Setting, setting_of, without_folder};
+use mhlint_formats::mhm::columns::{MACROS, Setting, setting_of, without_folder};
 use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{NamedTarget, View, ends};
 

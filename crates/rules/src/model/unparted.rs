@@ -2,7 +2,7 @@
 
 use mhlint_diag::{begins_word, glued, is_like_path};
 use mhlint_formats::mhm::CATEGORIES;
-use mhlint_formats::mhm_lines::{Line, Lines, keywords};
+use mhlint_formats::mhm::lines::{Line, Lines, keywords};
 
 /// A line whose first word is a keyword joined with its value.
 pub(super) struct Unparted<'l> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
-use mhlint_formats::modifier_sliders::Category;
+use mhlint_formats::modifiers::sliders::Category;
 use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {

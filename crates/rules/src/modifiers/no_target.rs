@@ -9,7 +9,7 @@ use super::{LOST_FILE, LOST_TABS};
 use mhlint_diag::{
     Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped,
 };
-use mhlint_formats::modifier_file::Part;
+use mhlint_formats::modifiers::file::Part;
 use mhlint_repo::makehuman1::{KnownModifier, View, category};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::RuleCx;
-use mhlint_formats::target_name::category_of;
+use mhlint_formats::target::name::category_of;
 use mhlint_formats::unfit::NamedAt;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman1::{KnownModifier, View};

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Rule, RuleCx, did_you_mean};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
-use mhlint_formats::bvh_blender::ImportedMotion;
+use mhlint_formats::bvh::blender::ImportedMotion;
 use mhlint_formats::rig::Rig;
 use mhlint_repo::{Body, FileFacts};
 

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx, plain_letters, such};
 use super::{Text, texts};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
-use mhlint_formats::mhbin_asset::Packed;
+use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::Entry;
 use mhlint_formats::mhpxy::Licence;
 use mhlint_repo::{Body, Worn};

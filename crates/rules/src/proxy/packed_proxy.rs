@@ -4,7 +4,7 @@
 use super::super::Rule;
 use super::{Lone, listed};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place};
-use mhlint_formats::mhbin_asset::Packed;
+use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::Clothes;
 use mhlint_formats::mhpxy::PackedProxy;
 use mhlint_formats::python_int;

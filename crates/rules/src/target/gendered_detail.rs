@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, enumerated};
 use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
-use mhlint_formats::target_name::CATEGORIES;
+use mhlint_formats::target::name::CATEGORIES;
 use mhlint_repo::makehuman1::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use mhlint_formats::target_name::CATEGORIES;
+use mhlint_formats::target::name::CATEGORIES;
 use mhlint_repo::makehuman1::{NamedTarget, View};
 
 /// The targets of a macro: those of the group that macro modifiers name.

@@ -5,7 +5,7 @@ use super::macro_group::{MacroGroup, categories, macro_groups};
 use mhlint_diag::{
     Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
-use mhlint_formats::target_name::CATEGORIES;
+use mhlint_formats::target::name::CATEGORIES;
 use mhlint_repo::makehuman1::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {

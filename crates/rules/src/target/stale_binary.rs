@@ -7,8 +7,8 @@ use mhlint_diag::{
 };
 use mhlint_discover::Kind;
 use mhlint_formats::npz::Archive;
+use mhlint_formats::npz::targets::PackedTarget;
 use mhlint_formats::target::TargetFacts;
-use mhlint_formats::targets_npz::PackedTarget;
 use mhlint_repo::{FileFacts, Layer, makehuman1, makehuman2, parent};
 
 pub(crate) static RULE: Rule =

@@ -28,7 +28,7 @@ use mhlint_diag::{
     Finding, Level,
 };
 use mhlint_discover::Kind;
-use mhlint_formats::target_name::TargetName;
+use mhlint_formats::target::name::TargetName;
 use mhlint_json::{SchemaFault, UnknownKey};
 use mhlint_repo::makehuman1::Unused;
 use mhlint_repo::{FileFacts, ReferenceKind, Target, View};

@@ -10,7 +10,7 @@ use mhlint_diag::{
 };
 use mhlint_discover::{Kind, archive_library_of, extension, library_extension, library_of};
 use mhlint_formats::mhm::CATEGORIES;
-use mhlint_formats::mhm_lines::Line;
+use mhlint_formats::mhm::lines::Line;
 use mhlint_repo::makehuman1::{SavedModel, View, uuid_of};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, Worn};
 

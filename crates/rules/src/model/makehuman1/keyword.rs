@@ -6,7 +6,7 @@ use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::super::unparted::of_line;
 use super::current;
 use mhlint_diag::{Evidence, Finding, Place};
-use mhlint_formats::mhm_lines::{Line, keywords};
+use mhlint_formats::mhm::lines::{Line, keywords};
 use mhlint_repo::makehuman1::View;
 
 pub(in super::super) fn faults(

@@ -8,7 +8,7 @@ use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped};
 use mhlint_discover::Kind;
-use mhlint_formats::mhm_lines::Line;
+use mhlint_formats::mhm::lines::Line;
 use mhlint_formats::python_float;
 use mhlint_repo::makehuman1::{KnownModifier, SavedModel, VARIABLES, Version, View, category};
 
