@@ -1,7 +1,7 @@
 //! Whose formulas evaluate what: the one place that asks for an application.
 //!
-//! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm
-//! wherever the compiler asks for one.
+//! To evaluate another one: a folder beside `makehuman2`, and an arm wherever the compiler asks for
+//! one.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -15,50 +15,18 @@ use super::{Error, Evaluation, Rows, Setting, SliderSetting, makehuman1, makehum
 use mhlint_config::Config;
 use mhlint_diag::Application;
 use mhlint_eval::measures::Measures;
-use mhlint_eval::scene::Scene;
 use mhlint_eval::vector::Point;
 use mhlint_eval::weights::BoneWeights;
 use mhlint_repo::Layers;
 use mhlint_repo::makehuman2::Base;
 use mhlint_source::Limits;
 
-/// Whose formulas evaluate a body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Formulas {
-    /// `makehuman2`.
-    Makehuman2,
-    /// `makehuman1`.
-    Makehuman1,
-    /// `mpfb`.
-    Mpfb,
-}
-
-impl Formulas {
-    /// The place of the slider that a saved character means by a name which no slider has, and the
-    /// sign of its value.
-    pub(super) fn slider_of_character(self, scene: &Scene, name: &str) -> Option<(usize, f64)> {
-        match self {
-            Self::Makehuman2 | Self::Makehuman1 => None,
-            Self::Mpfb => mpfb::names::slider(scene, name),
-        }
-    }
-}
-
 /// A body of layers that can be opened.
 #[derive(Clone, Copy)]
 pub struct Openable<'a> {
     pub name: &'a str,
     pub layers: Layers<'a>,
-    formulas: Formulas,
-}
-
-/// Whose formulas evaluate the data of an application.
-const fn formulas(application: Application) -> Formulas {
-    match application {
-        Application::Makehuman2 => Formulas::Makehuman2,
-        Application::Mpfb => Formulas::Mpfb,
-        Application::Makehuman1 => Formulas::Makehuman1,
-    }
+    application: Application,
 }
 
 /// Whether rules ask for what the targets of an application come to, so that their rows are needed.
@@ -120,18 +88,17 @@ pub fn measure(
 
 /// The bodies that can be opened in layers as an application sees them.
 pub fn openable(application: Application, layers: Layers<'_>) -> Vec<Openable<'_>> {
-    let formulas = formulas(application);
-    let names = match formulas {
-        Formulas::Makehuman2 => makehuman2::base::with_mesh(layers),
-        Formulas::Makehuman1 => makehuman1::base::with_mesh(layers),
-        Formulas::Mpfb => mpfb::base::with_mesh(layers),
+    let names = match application {
+        Application::Makehuman2 => makehuman2::base::with_mesh(layers),
+        Application::Makehuman1 => makehuman1::base::with_mesh(layers),
+        Application::Mpfb => mpfb::base::with_mesh(layers),
     };
     names
         .into_iter()
         .map(|name| Openable {
             name,
             layers,
-            formulas,
+            application,
         })
         .collect()
 }
@@ -139,9 +106,9 @@ pub fn openable(application: Application, layers: Layers<'_>) -> Vec<Openable<'_
 impl Openable<'_> {
     /// Whether it has a macro system.
     pub fn has_macros(&self) -> bool {
-        match self.formulas {
-            Formulas::Makehuman2 => Base::resolve(self.name, self.layers).macro_file().is_some(),
-            Formulas::Makehuman1 | Formulas::Mpfb => true,
+        match self.application {
+            Application::Makehuman2 => Base::resolve(self.name, self.layers).macro_file().is_some(),
+            Application::Makehuman1 | Application::Mpfb => true,
         }
     }
 
@@ -150,30 +117,30 @@ impl Openable<'_> {
     /// # Errors
     /// An unusable mesh.
     pub fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
-        match self.formulas {
-            Formulas::Makehuman2 => {
+        match self.application {
+            Application::Makehuman2 => {
                 makehuman2::base::open(&Base::resolve(self.name, self.layers), limits)
             }
-            Formulas::Makehuman1 => makehuman1::base::open(self.name, self.layers, limits),
-            Formulas::Mpfb => mpfb::base::open(self.name, self.layers, limits),
+            Application::Makehuman1 => makehuman1::base::open(self.name, self.layers, limits),
+            Application::Mpfb => mpfb::base::open(self.name, self.layers, limits),
         }
     }
 }
 
 impl Evaluation {
-    /// Whose data are evaluated.
-    pub(super) const fn application(&self) -> Application {
-        match self.formulas {
-            Formulas::Makehuman2 => Application::Makehuman2,
-            Formulas::Makehuman1 => Application::Makehuman1,
-            Formulas::Mpfb => Application::Mpfb,
+    /// The place of the slider that a saved character means by a name which no slider has, and the
+    /// sign of its value.
+    pub(super) fn slider_of_character(&self, name: &str) -> Option<(usize, f64)> {
+        match self.application {
+            Application::Makehuman2 | Application::Makehuman1 => None,
+            Application::Mpfb => mpfb::names::slider(&self.scene, name),
         }
     }
 
     /// Whether a vertex of several rows moves by all of them, and one that the mesh lacks is passed
     /// over.
     pub(super) const fn adds_rows(&self) -> bool {
-        matches!(self.formulas, Formulas::Mpfb)
+        matches!(self.application, Application::Mpfb)
     }
 
     /// The weights that a pose moves the mesh by.
@@ -185,9 +152,11 @@ impl Evaluation {
         weights: &'w [BoneWeights],
         vertices: usize,
     ) -> Result<Cow<'w, [BoneWeights]>, Error> {
-        match self.formulas {
-            Formulas::Makehuman1 => makehuman1::posing_weights(weights, vertices).map(Cow::Owned),
-            Formulas::Makehuman2 | Formulas::Mpfb => Ok(Cow::Borrowed(weights)),
+        match self.application {
+            Application::Makehuman1 => {
+                makehuman1::posing_weights(weights, vertices).map(Cow::Owned)
+            }
+            Application::Makehuman2 | Application::Mpfb => Ok(Cow::Borrowed(weights)),
         }
     }
 
@@ -196,13 +165,13 @@ impl Evaluation {
     /// # Errors
     /// No macros, or macros that stop the application.
     pub fn macros_json(&self, setting: &Setting) -> Result<Map<String, Value>, Error> {
-        match self.formulas {
-            Formulas::Makehuman2 => {
+        match self.application {
+            Application::Makehuman2 => {
                 let (table, result) = self.macros(setting)?;
                 Ok(makehuman2::macros_json(self, table, &result))
             }
-            Formulas::Makehuman1 => makehuman1::macros::macros_json(self, setting),
-            Formulas::Mpfb => mpfb::macros::macros_json(self, setting),
+            Application::Makehuman1 => makehuman1::macros::macros_json(self, setting),
+            Application::Mpfb => mpfb::macros::macros_json(self, setting),
         }
     }
 
@@ -216,10 +185,10 @@ impl Evaluation {
         setting: &Setting,
         asked: &[SliderSetting],
     ) -> Result<Map<String, Value>, Error> {
-        match self.formulas {
-            Formulas::Makehuman1 => makehuman1::modifiers::modifiers_json(self, setting, asked),
-            Formulas::Makehuman2 | Formulas::Mpfb => {
-                let name = self.application().title();
+        match self.application {
+            Application::Makehuman1 => makehuman1::modifiers::modifiers_json(self, setting, asked),
+            Application::Makehuman2 | Application::Mpfb => {
+                let name = self.application.title();
                 Err(Error::Input(format!(
                     "modifiers are those of MakeHuman 1; for {name} use `mhlint eval macros`"
                 )))
@@ -236,10 +205,10 @@ impl Evaluation {
         skeleton: &SkeletonFile,
         positions: &[Point],
     ) -> Result<RestSkeleton, Error> {
-        match self.formulas {
-            Formulas::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
-            Formulas::Makehuman1 => makehuman1::skeleton::rest(&self.scene, skeleton, positions),
-            Formulas::Mpfb => Err(mpfb::no_rigs(self.base())),
+        match self.application {
+            Application::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
+            Application::Makehuman1 => makehuman1::skeleton::rest(&self.scene, skeleton, positions),
+            Application::Mpfb => Err(mpfb::no_rigs(self.base())),
         }
     }
 }

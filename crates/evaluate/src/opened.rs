@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use super::data::SkeletonFile;
 use super::error::Error;
 use super::files::read_cause;
-use super::formulas::Formulas;
+use mhlint_diag::Application;
 use mhlint_discover::extension;
 use mhlint_eval::scene::Scene;
 use mhlint_formats::macro_json::MacroFile;
@@ -22,8 +22,8 @@ pub(super) const NO_MESH: &str = "it contains no usable mesh";
 /// A base mesh ready for settings.
 #[derive(Debug)]
 pub struct Evaluation {
-    /// Those of its application.
-    pub(super) formulas: Formulas,
+    /// Whose data are evaluated.
+    pub(super) application: Application,
     pub(super) trees: Vec<Tree>,
     pub(super) limits: Limits,
     pub(super) base: String,

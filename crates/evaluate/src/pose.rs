@@ -76,7 +76,7 @@ impl Evaluation {
     /// exist.
     pub fn posed(&self, positions: &[Point], poses: &Poses) -> Result<PosedBase, Error> {
         let rest = self.rest(self.pose_skeleton()?, positions)?;
-        let stopped = |error| Error::index(self.application(), error);
+        let stopped = |error| Error::index(self.application, error);
         if let Some(fault) = &self.weights_fault {
             return Err(fault.clone());
         }

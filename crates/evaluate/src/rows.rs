@@ -132,11 +132,11 @@ impl Evaluation {
         member: &str,
         archive: &mut Option<Vec<u8>>,
     ) -> Result<Vec<Row>, Error> {
-        if self.application() != Application::Makehuman1 {
+        if self.application != Application::Makehuman1 {
             let reason = format!(
                 "{} takes `{name}` from this archive, which mhlint cannot evaluate; move the archive away to evaluate the \
                  text file",
-                self.application(),
+                self.application,
             );
             return Err(Error::file(path, reason));
         }
@@ -169,7 +169,7 @@ impl Evaluation {
 
     fn missing(&self, name: &str) -> Error {
         Error::MissingTarget {
-            application: self.application(),
+            application: self.application,
             name: name.to_owned(),
         }
     }
@@ -183,7 +183,7 @@ impl Evaluation {
                     .map_or("", |target| &target.name),
             ),
             SettingError::Macro(MacroFault::Makehuman2(error)) => self.macro_error(error),
-            SettingError::Morph(error) => Error::index(self.application(), error),
+            SettingError::Morph(error) => Error::index(self.application, error),
         }
     }
 }

@@ -23,14 +23,10 @@ impl Evaluation {
     pub fn setting(&self, values: &[SliderSetting]) -> Result<Setting, Error> {
         let mut setting = self.scene.defaults();
         for (name, value) in values {
-            let (slider, sign) =
-                self.slider(name)
-                    .map(|slider| (slider, 1.0))
-                    .or_else(|unknown| {
-                        self.formulas
-                            .slider_of_character(&self.scene, name)
-                            .ok_or(unknown)
-                    })?;
+            let (slider, sign) = self
+                .slider(name)
+                .map(|slider| (slider, 1.0))
+                .or_else(|unknown| self.slider_of_character(name).ok_or(unknown))?;
             self.scene.set(&mut setting, slider, sign * value);
         }
         Ok(setting)

@@ -105,7 +105,7 @@ pub(crate) fn setting(
     let left_out = |name| {
         format!(
             "unknown slider `{name}` ignored, as in {}",
-            base.application()
+            base.application
         )
     };
     notes.extend(unknown.into_iter().map(left_out));

@@ -7,11 +7,11 @@ use super::skeleton::skeleton_of;
 use super::{OWN, weights};
 use crate::data::SkeletonFile;
 use crate::files::take_mesh;
-use crate::formulas::Formulas;
 use crate::gauge::{Composed, Rig};
 use crate::opened::{MacroNames, NO_MESH};
 use crate::rows::{Suspects, is_usable};
 use crate::{Error, Evaluation, Rows};
+use mhlint_diag::Application;
 use mhlint_eval::macros::Macros;
 use mhlint_eval::makehuman1::Modifiers as Formula;
 use mhlint_eval::makehuman1::modifiers::{Factor, TargetGroup};
@@ -65,7 +65,7 @@ pub(crate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Eva
         Err(NO_MODIFIERS.to_owned())
     };
     Ok(Evaluation {
-        formulas: Formulas::Makehuman1,
+        application: Application::Makehuman1,
         trees: Vec::new(),
         limits,
         base: name.to_owned(),

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 
-use crate::formulas::Formulas;
 use crate::opened::{MacroNames, NO_MESH};
 use crate::outputs::rounded;
 use crate::{Error, Evaluation};
@@ -51,7 +50,7 @@ pub(crate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evaluation, Error>
     }
     let scene = compose(base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
     Ok(Evaluation {
-        formulas: Formulas::Makehuman2,
+        application: Application::Makehuman2,
         trees: Vec::new(),
         limits,
         base: name.to_owned(),

@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::NO_RIGS;
 use crate::files::take_mesh;
-use crate::formulas::Formulas;
 use crate::gauge::Composed;
 use crate::opened::{MacroNames, NO_MESH};
 use crate::rows::{Suspects, is_usable};
 use crate::{Error, Evaluation, Rows};
+use mhlint_diag::Application;
 use mhlint_discover::Kind;
 use mhlint_eval::macros::Macros;
 use mhlint_eval::mpfb::MacroLoops;
@@ -29,7 +29,7 @@ pub(crate) const SHOWN: &str = "body";
 
 /// The name of the body, if there is a mesh for it.
 pub(crate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
-    let own = mhlint_diag::Application::Mpfb;
+    let own = Application::Mpfb;
     let files = layers
         .system
         .into_iter()
@@ -56,7 +56,7 @@ pub(crate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Eva
     let mut composer = Composer::default();
     let macros = composer.all(&view, mesh, |_| true);
     Ok(Evaluation {
-        formulas: Formulas::Mpfb,
+        application: Application::Mpfb,
         trees: Vec::new(),
         limits,
         base: name.to_owned(),
