@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use super::path::is_below;
 use super::place::{canonical, named, slashed};
 
 /// A folder that globs are relative to.
@@ -97,56 +98,6 @@ pub fn holds(folder: &Path, name: &str) -> bool {
     folder.join(name).exists()
 }
 
-/// Whether a path is another one or lies below it.
-pub fn is_below(path: &str, outer: &str) -> bool {
-    let outer = outer.trim_end_matches('/');
-    outer.is_empty()
-        || path
-            .strip_prefix(outer)
-            .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
-}
-
-/// The folder of a path, empty at the top, and the name in it.
-pub fn folder_and_name(path: &str) -> (&str, &str) {
-    path.rsplit_once('/').unwrap_or(("", path))
-}
-
-/// A folder and those above it, up to the top.
-pub fn folders_above(folder: &str) -> impl Iterator<Item = &str> {
-    std::iter::successors(Some(folder), |folder| {
-        (!folder.is_empty()).then(|| folder_and_name(folder).0)
-    })
-}
-
-/// Whether a name in a path begins with a point.
-pub fn has_hidden_part(path: &str) -> bool {
-    path.split('/').any(|part| part.starts_with('.'))
-}
-
-/// The part of a path below a folder; all of it below no folder.
-pub fn inside<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
-    if folder.is_empty() {
-        Some(path)
-    } else {
-        path.strip_prefix(folder)?.strip_prefix('/')
-    }
-}
-
-/// The path without `.` and `..`, or nothing if it leaves the root.
-pub fn normalized(rel: &str) -> Option<String> {
-    let mut parts: Vec<&str> = Vec::new();
-    for part in rel.split('/') {
-        match part {
-            "" | "." => {}
-            ".." => {
-                parts.pop()?;
-            }
-            other => parts.push(other),
-        }
-    }
-    Some(parts.join("/"))
-}
-
 fn is_absolute(path: &str) -> bool {
     path.starts_with('/') || Path::new(path).is_absolute()
 }
@@ -187,15 +138,6 @@ fn plain(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn paths_are_normalized_inside_the_root_only() {
-        assert_eq!(
-            normalized("target/b/a/../c.target").as_deref(),
-            Some("target/b/c.target")
-        );
-        assert_eq!(normalized("target/../../x"), None);
-    }
 
     #[test]
     fn paths_are_told_relative_to_the_folder() {

@@ -14,6 +14,7 @@ mod limits;
 mod lines;
 mod listing;
 mod pack;
+mod path;
 mod place;
 mod read;
 mod text;
@@ -26,15 +27,16 @@ pub use text::Encoding;
 pub use text::{BYTE_ORDER_MARK, Guess};
 pub use tree::Tree;
 
-pub use folder::{
-    Folder, Outer, folder_and_name, folders_above, has_hidden_part, holds, inside, is_below,
-    normalized,
-};
+pub use folder::{Folder, Outer, holds};
 pub use gunzip::{GzipFault, gunzip, gunzip_at_most};
 #[cfg(any(test, feature = "counted"))]
 pub use lines::PASSED;
 pub use lines::{Lines, first_line, lines};
 pub use pack::{MemberFault, PackFacts, PackFault};
+pub use path::{
+    depth, extension, file_name, folder_and_name, folders_above, has_hidden_part, inside, is_below,
+    normalized, parent, top_folder, without_extension,
+};
 pub use place::{canonical, folder_name, folder_of, link_targets, own_place, resolved, slashed};
 pub use read::read_file;
 pub use tree::{Contents, Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind};

@@ -7,9 +7,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::Limits;
-use super::folder::{has_hidden_part, inside};
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::pack::{Pack, PackFacts};
+use super::path::{has_hidden_part, inside};
 use super::read::{ends_of, read_bounded, too_large};
 use super::walk::{self, Walk, Wanted};
 use mhlint_diag::{Grouped, grouped};
