@@ -23,6 +23,10 @@ pub struct Parts<'a> {
     pub is_too_large: bool,
     /// Printed paths of those that are there.
     found: BTreeSet<&'a str>,
+    /// Folders in which sliders lead to one that is not there, in small letters.
+    lacking: BTreeSet<String>,
+    /// The names that are written for settings, by place.
+    names: BTreeSet<(usize, &'a str)>,
 }
 
 /// A target that a loop asks for.
@@ -53,6 +57,8 @@ impl<'a> Parts<'a> {
             requests: Vec::new(),
             is_too_large,
             found: BTreeSet::new(),
+            lacking: BTreeSet::new(),
+            names: names_of(settings).collect(),
         };
         if settings.is_whole() && !is_too_large {
             parts.requests = parts.all_requests();
@@ -60,6 +66,13 @@ impl<'a> Parts<'a> {
                 .requests
                 .iter()
                 .filter_map(|own| Some(own.file?.path.as_str()))
+                .collect();
+            let missing = parts
+                .requests
+                .iter()
+                .filter(|own| own.is_reachable && own.file.is_none());
+            parts.lacking = missing
+                .map(|own| crate::parent(&own.rel).to_ascii_lowercase())
                 .collect();
         }
         Some(parts)
@@ -105,10 +118,8 @@ impl<'a> Parts<'a> {
                     .settings
                     .iter()
                     .find(|setting| setting.place == *place);
-                let mut parts = setting.iter().flat_map(|setting| &setting.parts).peekable();
-                let is_named = |own: &Option<String>| own.as_deref() == Some(name);
-                parts.peek().is_none()
-                    || parts.any(|part| is_named(&part.low) || is_named(&part.high))
+                setting.is_none_or(|setting| setting.parts.is_empty())
+                    || self.names.contains(&(*place, name))
             }
         }
     }
@@ -116,12 +127,8 @@ impl<'a> Parts<'a> {
     /// Whether a loop misses a target in the folder of this one, which may be the one that it is
     /// meant to be.
     pub fn may_be_meant(&self, rel: &str) -> bool {
-        let folder = crate::parent(rel);
-        let mut missing = self
-            .requests
-            .iter()
-            .filter(|request| request.is_reachable && request.file.is_none());
-        missing.any(|request| crate::parent(&request.rel).eq_ignore_ascii_case(folder))
+        self.lacking
+            .contains(&crate::parent(rel).to_ascii_lowercase())
     }
 
     /// The folder of all targets: the one above that of the file.
@@ -156,6 +163,17 @@ impl<'a> Parts<'a> {
         }
         requests
     }
+}
+
+/// The names that are written for each setting, by its place.
+fn names_of(settings: &MacroParts) -> impl Iterator<Item = (usize, &str)> {
+    settings.settings.iter().flat_map(|setting| {
+        let names = setting
+            .parts
+            .iter()
+            .flat_map(|part| [&part.low, &part.high]);
+        names.filter_map(|name| Some((setting.place, name.as_deref()?)))
+    })
 }
 
 /// Every choice of one name from each list, the last list running fastest.

@@ -2,7 +2,8 @@
 
 mod advice;
 pub(crate) mod alias_in_file_name;
-pub(crate) mod alternatives_lost;
+pub(crate) mod alternatives_around;
+mod alternatives_lost;
 mod alternatives_shared;
 pub(crate) mod arity;
 mod blender;
