@@ -1,11 +1,11 @@
 //! The parts of the macro settings with the targets that MPFB composes of their names
 //! (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::loops::{Axis, LOOPS, Name, are_too_many, is_reachable};
 use crate::{FileFacts, Layer};
-use mhlint_formats::macro_parts::{MacroParts, RACES};
+use mhlint_formats::macro_parts::{MacroParts, RACES, Setting};
 use mhlint_source::normalized;
 
 /// `macro.json` in its layer.
@@ -27,6 +27,9 @@ pub struct Parts<'a> {
     lacking: BTreeSet<String>,
     /// The names that are written for settings, by place.
     names: BTreeSet<(usize, &'a str)>,
+    /// For the place of each setting that could be read as a whole where its parts begin, in order,
+    /// each with the farthest end of those up to it.
+    reach: BTreeMap<usize, Vec<(f64, f64)>>,
 }
 
 /// A target that a loop asks for.
@@ -50,6 +53,7 @@ impl<'a> Parts<'a> {
     pub(super) fn of(layer: &'a Layer, file: &'a FileFacts) -> Option<Self> {
         let settings = file.macro_parts()?;
         let is_too_large = are_too_many(settings);
+        let whole = settings.settings.iter().filter(|own| own.is_whole);
         let mut parts = Self {
             layer,
             file,
@@ -59,6 +63,7 @@ impl<'a> Parts<'a> {
             found: BTreeSet::new(),
             lacking: BTreeSet::new(),
             names: names_of(settings).collect(),
+            reach: whole.map(|own| (own.place, reach(own))).collect(),
         };
         if settings.is_whole() && !is_too_large {
             parts.requests = parts.all_requests();
@@ -124,6 +129,14 @@ impl<'a> Parts<'a> {
         }
     }
 
+    /// Whether some part of a setting has a value; `None` where not all of them could be read.
+    pub(super) fn cover(&self, place: usize, value: f64) -> Option<bool> {
+        let reach = self.reach.get(&place)?;
+        let count = reach.partition_point(|(lowest, _)| *lowest < value);
+        let last = count.checked_sub(1).and_then(|last| reach.get(last));
+        Some(last.is_some_and(|(_, farthest)| value < *farthest))
+    }
+
     /// Whether a loop misses a target in the folder of this one, which may be the one that it is
     /// meant to be.
     pub fn may_be_meant(&self, rel: &str) -> bool {
@@ -174,6 +187,22 @@ fn names_of(settings: &MacroParts) -> impl Iterator<Item = (usize, &str)> {
             .flat_map(|part| [&part.low, &part.high]);
         names.filter_map(|name| Some((setting.place, name.as_deref()?)))
     })
+}
+
+/// Where the parts of a setting begin, in order, each with the farthest end of those up to it.
+fn reach(setting: &Setting) -> Vec<(f64, f64)> {
+    let ranges = setting.parts.iter().map(|part| (part.lowest, part.highest));
+    // A range without numbers has no value.
+    let mut ranges: Vec<(f64, f64)> = ranges
+        .filter(|(lowest, highest)| lowest < highest)
+        .collect();
+    ranges.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut farthest = f64::NEG_INFINITY;
+    for (_, highest) in &mut ranges {
+        farthest = farthest.max(*highest);
+        *highest = farthest;
+    }
+    ranges
 }
 
 /// Every choice of one name from each list, the last list running fastest.
