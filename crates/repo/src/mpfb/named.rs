@@ -69,16 +69,8 @@ impl<'a> NamedTargets<'a> {
                 .system
                 .is_some_and(|system| std::ptr::eq(system, layer));
             // Links to folders are not followed.
-            let linked: BTreeSet<&str> = layer
-                .linked_folders
-                .iter()
-                .flat_map(|folder| layer.below(folder))
-                .map(|file| file.rel.as_str())
-                .collect();
-            for file in layer.files.values() {
-                if linked.contains(file.rel.as_str()) {
-                    continue;
-                }
+            let files = layer.files.values();
+            for file in files.filter(|file| !layer.is_behind_link(&file.rel)) {
                 let name = file.file_name();
                 if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
                     continue;
