@@ -3,8 +3,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::pictures::blender_loads;
 use super::super::{Rule, RuleCx, did_you_mean, shown, such};
+use super::beside::free_pictures;
 use super::picture::fault;
 use super::something_else;
 use super::spelling::{self, Meant};
@@ -285,26 +285,6 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
 }
 
 const OTHERWISE: &str = "correct the name, add the picture, or remove the line";
-
-/// Pictures of a folder that are looked at for a name: among more of them nobody finds one that was
-/// mistyped.
-const NEIGHBOURS: usize = 200;
-
-/// The pictures in a folder that nothing names: one that something names is that of another map,
-/// however near its name.
-fn free_pictures<'v>(view: &View<'v>, folder: &str) -> Vec<&'v str> {
-    let is_free = |file: &&FileFacts| view.references().to_file(file).next().is_none();
-    let pictures = view
-        .layers()
-        .checked
-        .below(folder)
-        .filter(|file| blender_loads(file))
-        .take(NEIGHBOURS)
-        .filter(is_free);
-    pictures
-        .filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'))
-        .collect()
-}
 
 /// What to write for a picture that is not found.
 fn advice(one: &Reference<'_>, beside: &[&str], cx: &RuleCx<'_>) -> String {

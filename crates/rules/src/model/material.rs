@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::offered::{Offered, last};
 use super::{makehuman1, own};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -136,39 +137,6 @@ fn folder<'r>(reference: &'r Reference<'_>) -> &'r str {
         .strip_suffix(reference.text)
         .unwrap_or(parent(&reference.rel))
         .trim_end_matches('/')
-}
-
-/// The materials below a folder that a model can name, as it would name them.
-struct Offered<'v> {
-    folder: &'v str,
-    names: Vec<&'v str>,
-    /// The first of each name, by what is behind its folders.
-    by_last: BTreeMap<&'v str, &'v str>,
-}
-
-impl<'v> Offered<'v> {
-    fn below(view: &View<'v>, folder: &'v str) -> Self {
-        let layers = view.layers.strongest_first();
-        let files = layers.flat_map(|layer| layer.below(folder));
-        let below = files.filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
-        // A model cannot name a file with a space in its name.
-        let is_nameable =
-            |name: &&str| name.ends_with(".mhmat") && !name.contains(char::is_whitespace);
-        let names: Vec<&str> = below.filter(is_nameable).collect();
-        let mut by_last = BTreeMap::new();
-        for name in &names {
-            by_last.entry(last(name)).or_insert(*name);
-        }
-        Self {
-            folder,
-            names,
-            by_last,
-        }
-    }
-}
-
-fn last(name: &str) -> &str {
-    name.rsplit('/').next().unwrap_or(name)
 }
 
 fn missing(

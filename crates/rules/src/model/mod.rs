@@ -12,6 +12,7 @@ mod modifier_value;
 mod mpfb_asset;
 mod mpfb_lines;
 mod mpfb_modifier;
+mod offered;
 mod short_lines;
 pub(crate) mod syntax;
 pub(crate) mod tags;
