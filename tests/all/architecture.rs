@@ -38,7 +38,7 @@ const FILE_LINES: usize = 600;
 const MAIN_LINES: usize = 40;
 
 /// Files that were longer when lines became shorter: they may only shrink, and leave the table.
-const STILL_LONG: [(&str, usize); 24] = [
+const STILL_LONG: [(&str, usize); 23] = [
     ("rules/base/geometry_range.rs", 209),
     ("rules/base/unknown_equipment.rs", 238),
     ("rules/base/unknown_preset.rs", 206),
@@ -48,10 +48,9 @@ const STILL_LONG: [(&str, usize); 24] = [
     ("rules/file/unreferenced.rs", 216),
     ("rules/macros/influence_mismatch.rs", 217),
     ("rules/macros/unexpected_combination.rs", 220),
-    ("rules/material/blender.rs", 618),
+    ("rules/material/blender.rs", 606),
     ("rules/mesh/stale_binary.rs", 216),
     ("rules/model/modifier.rs", 242),
-    ("rules/model/unknown_asset.rs", 242),
     ("rules/modelling/unknown_group.rs", 229),
     ("rules/modifiers/no_target.rs", 216),
     ("rules/overlay/partial_override.rs", 228),

@@ -42,6 +42,16 @@ impl Suggestions {
         name: &str,
         candidates: impl IntoIterator<Item = &'a str>,
     ) -> Option<&'a str> {
+        self.nearest_of_wanted(name, candidates.into_iter().map(Some))
+    }
+
+    /// As [`nearest`](Self::nearest) where not every candidate is wanted: what is left out counts
+    /// as well, as a filter in front of the search would not.
+    pub fn nearest_of_wanted<'a>(
+        &self,
+        name: &str,
+        candidates: impl IntoIterator<Item = Option<&'a str>>,
+    ) -> Option<&'a str> {
         self.best(name, candidates, |_| (None, 0))
     }
 
@@ -52,12 +62,7 @@ impl Suggestions {
         name: &str,
         candidates: impl IntoIterator<Item = &'a str>,
     ) -> Option<&'a str> {
-        self.nearest(
-            name,
-            candidates
-                .into_iter()
-                .filter(|candidate| is_of_kind(name, candidate)),
-        )
+        self.nearest_of_wanted(name, of_kind(name, candidates))
     }
 
     /// The same for files, named with or without folders: one that has all words of `name`, or only
@@ -71,10 +76,7 @@ impl Suggestions {
         let words = words_of_file(name);
         // Longer ones are not names of files.
         let is_short = name.len() <= LONGEST_PATH;
-        let candidates = candidates
-            .into_iter()
-            .filter(|candidate| is_of_kind(name, candidate));
-        self.best(name, candidates, |candidate| {
+        self.best(name, of_kind(name, candidates), |candidate| {
             let other = words_of_file(candidate);
             let cost = candidate.len() + words.len() * other.len();
             // Of another kind it is another file, not another name.
@@ -86,12 +88,12 @@ impl Suggestions {
         })
     }
 
-    /// The best candidate. `between` says how many words a candidate has more or less, if that is
-    /// all, and what it cost.
+    /// The best candidate; `None` is one that was left out. `between` says how many words a
+    /// candidate has more or less, if that is all, and what it cost.
     fn best<'a>(
         &self,
         name: &str,
-        candidates: impl IntoIterator<Item = &'a str>,
+        candidates: impl IntoIterator<Item = Option<&'a str>>,
         between: impl Fn(&'a str) -> (Option<usize>, usize),
     ) -> Option<&'a str> {
         // Longer ones are no names.
@@ -104,6 +106,10 @@ impl Suggestions {
             if self.compared.get() > COMPARED {
                 return None;
             }
+            let Some(candidate) = candidate else {
+                self.compared.set(self.compared.get() + COST_OF_CANDIDATE);
+                continue;
+            };
             // Nothing farther than the best so far is worth measuring.
             let limit = best.map_or(sought.limit, |(rank, _)| rank.limit());
             let (distance, cost) = sought.distance(candidate, limit);
@@ -165,6 +171,16 @@ fn words_of_file(name: &str) -> Vec<&str> {
 fn suffix(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or_default();
     name.split_once('.').map_or("", |(_, suffix)| suffix)
+}
+
+/// The candidates of the kind of `name`, in place of others nothing.
+fn of_kind<'a>(
+    name: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> impl Iterator<Item = Option<&'a str>> {
+    candidates
+        .into_iter()
+        .map(move |candidate| is_of_kind(name, candidate).then_some(candidate))
 }
 
 /// Whether a file ends as a name does, but for a slip of the pen; a name may lack its suffix.
@@ -519,6 +535,26 @@ mod tests {
             suggestions.compared.get() < most,
             "{}",
             suggestions.compared.get()
+        );
+    }
+
+    #[test]
+    fn what_is_left_out_counts_as_well() {
+        let pictures: Vec<String> = (0..20_000).map(|at| format!("{at}.png")).collect();
+        let suggestions = Suggestions::default();
+        let touched = Cell::new(0);
+        for at in 0..20_000 {
+            let candidates = pictures
+                .iter()
+                .inspect(|_| touched.set(touched.get() + 1))
+                .map(String::as_str);
+            suggestions.nearest_of_kind(&format!("{at}.mhmat"), candidates);
+        }
+        assert!(suggestions.are_over());
+        assert!(
+            touched.get() < COMPARED / COST_OF_CANDIDATE + 20_001,
+            "{}",
+            touched.get()
         );
     }
 

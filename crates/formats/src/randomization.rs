@@ -4,6 +4,8 @@
 //! The loader takes every key with `[]` and sets a property of Blender to its value, one after the
 //! other: at the first key that is missing, or value that the property does not take, it stops.
 
+use std::collections::BTreeSet;
+
 use super::unfit::{Unfits, Why, below, is_number};
 use mhlint_json::{Document, Member, Node, Value};
 
@@ -22,7 +24,12 @@ impl Randomization {
     /// over, whatever they are; `None` if the catalogue is not at hand.
     pub fn stops(&self, catalog: Option<&[&str]>) -> Unfits {
         let mut stops = self.stops.clone();
-        let is_read = |name: &str| catalog.is_none_or(|catalog| catalog.contains(&name));
+        let catalog = catalog.map(|names| names.iter().copied().collect::<BTreeSet<&str>>());
+        let is_read = |name: &str| {
+            catalog
+                .as_ref()
+                .is_none_or(|catalog| catalog.contains(name))
+        };
         let sections = self
             .sections
             .iter()
@@ -37,10 +44,11 @@ impl Randomization {
         let Some(sections) = &self.sections else {
             return Vec::new();
         };
+        let known: BTreeSet<&str> = sections.iter().map(|(name, _)| name.as_str()).collect();
         catalog
             .iter()
             .copied()
-            .filter(|wanted| sections.iter().all(|(name, _)| name != wanted))
+            .filter(|wanted| !known.contains(wanted))
             .collect()
     }
 }

@@ -19,6 +19,8 @@ pub struct SelectionFilter {
     pub translate: BTreeMap<String, Led<Option<String>>>,
     /// Parts of names, in small letters, and the paths that they stand for.
     pub guess: BTreeMap<String, Led<String>>,
+    /// The lengths of these parts.
+    guess_lengths: BTreeSet<usize>,
     /// The rules of the buttons, by position.
     pub shortcuts: Vec<(usize, String)>,
     /// Keys that are special but for their spelling.
@@ -71,7 +73,10 @@ pub fn read(document: &Document) -> SelectionFilter {
     for member in document.root.effective_members() {
         match member.key.as_str() {
             "Translate" => filter.translate = translations(&member.node),
-            "GuessName" => filter.guess = guesses(&member.node),
+            "GuessName" => {
+                filter.guess = guesses(&member.node);
+                filter.guess_lengths = filter.guess.keys().map(String::len).collect();
+            }
             "Shortcut" => filter.shortcuts = shortcuts(&member.node),
             key => match meant(key) {
                 Some(meant) => filter.misspelt.push(misspelt(key, meant, &member.node)),
@@ -138,13 +143,18 @@ impl SelectionFilter {
 
     /// The path that the name of an asset stands for: that of its longest part.
     pub fn guessed(&self, name: &str) -> Option<&str> {
-        let parts = self
-            .guess
-            .iter()
-            .filter(|(part, _)| name.contains(part.as_str()));
-        parts
-            .max_by_key(|(part, _)| part.len())
-            .map(|(_, led)| led.to.as_str())
+        // Of each length that a part has, longest first, the parts of the name are looked up.
+        let lengths = self.guess_lengths.iter().rev().copied();
+        let longest = lengths
+            .filter(|length| *length <= name.len())
+            .find_map(|length| {
+                let starts = 0..=name.len() - length;
+                let parts = starts.filter_map(|start| name.get(start..start + length));
+                parts
+                    .filter_map(|part| self.guess.get_key_value(part))
+                    .max_by_key(|(part, _)| *part)
+            });
+        longest.map(|(_, led)| led.to.as_str())
     }
 }
 

@@ -10,7 +10,7 @@ use super::{FileFacts, Pack, parent};
 use mhlint_diag::{Application, Identity};
 use mhlint_discover::{Kind, Layout, kind_in, uses_of};
 use mhlint_formats::Format;
-use mhlint_source::{WalkFault, has_hidden_part, inside, is_below};
+use mhlint_source::{WalkFault, folders_above, has_hidden_part, inside, is_below};
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
 pub fn fold(path: &str) -> String {
@@ -39,7 +39,7 @@ pub struct Layer {
     pub files: BTreeMap<String, FileFacts>,
     /// Folders, relative to the root.
     pub folders: Vec<String>,
-    /// Those of them that are links, relative to the root.
+    /// Those of them that are links, relative to the root, in order.
     pub linked_folders: Vec<String>,
     /// Further folders, which are hidden or in a hidden one, and whose names count all the same.
     pub hidden_folders: Vec<String>,
@@ -182,6 +182,16 @@ impl Layer {
                 .map(|file| (file.path.clone(), file.rel.clone()))
                 .collect()
         })
+    }
+
+    /// Whether a path leads through a folder that is a link.
+    pub fn is_behind_link(&self, rel: &str) -> bool {
+        let is_link = |folder: &str| {
+            self.linked_folders
+                .binary_search_by(|link| link.as_str().cmp(folder))
+                .is_ok()
+        };
+        !self.linked_folders.is_empty() && folders_above(rel).any(is_link)
     }
 
     /// All files below a folder (no trailing slash), in order.

@@ -9,7 +9,32 @@ use mhlint_repo::FileFacts;
 /// By what each application knows the assets of packs: those with one key in the order of the
 /// packs.
 #[derive(Default)]
-pub struct SideBySide(BTreeMap<(Application, String), Vec<Listed>>);
+pub struct SideBySide(BTreeMap<(Application, String), Alike>);
+
+/// The assets with one key.
+#[derive(Default)]
+struct Alike {
+    all: Vec<Listed>,
+    /// Where each pack begins among them.
+    packs: BTreeMap<String, usize>,
+    /// The first asset at each path.
+    by_path: BTreeMap<String, usize>,
+    /// The first that lies at another place in its pack than the first of all.
+    elsewhere: Option<usize>,
+}
+
+impl Alike {
+    fn add(&mut self, one: Listed) {
+        let place = self.all.len();
+        self.packs.entry(one.pack.clone()).or_insert(place);
+        self.by_path.entry(one.path.clone()).or_insert(place);
+        let is_elsewhere = self.all.first().is_some_and(|first| first.rel != one.rel);
+        if self.elsewhere.is_none() && is_elsewhere {
+            self.elsewhere = Some(place);
+        }
+        self.all.push(one);
+    }
+}
 
 /// An asset of a pack.
 pub(crate) struct Listed {
@@ -32,7 +57,7 @@ impl SideBySide {
                 rel: file.rel.clone(),
                 content: file.content_hash,
             };
-            self.0.entry((application, key)).or_default().push(listed);
+            self.0.entry((application, key)).or_default().add(listed);
         }
     }
 
@@ -44,9 +69,11 @@ impl SideBySide {
         key: &str,
         file: &FileFacts,
     ) -> Option<&Listed> {
-        let listed = self.0.get(&(application, key.to_owned()))?;
-        let own = listed.iter().find(|one| one.path == file.path)?;
-        let earlier = listed.iter().take_while(|one| one.pack != own.pack);
-        earlier.into_iter().find(|one| one.rel != own.rel)
+        let alike = self.0.get(&(application, key.to_owned()))?;
+        let own = alike.all.get(*alike.by_path.get(&file.path)?)?;
+        let earlier = alike.all.get(..*alike.packs.get(&own.pack)?)?;
+        // Where the first lies at the same place, the first elsewhere does not.
+        let first = earlier.first().filter(|one| one.rel != own.rel);
+        first.or_else(|| earlier.get(alike.elsewhere?))
     }
 }

@@ -1,6 +1,8 @@
 //! Which characters wear an asset that cannot be put on: they are not loaded to the end
 //! (`docs/loaders/makehuman2/models.md#broken-assets`).
 
+use std::collections::BTreeSet;
+
 use super::counted;
 use mhlint_diag::{Application, EXAMPLES, Finding, Level, Place};
 use mhlint_repo::View;
@@ -18,12 +20,12 @@ pub fn name_wearers(view: &View<'_>, findings: &mut [Finding]) {
             .any(|one| one.application == Application::Makehuman2 && one.level == Level::Error)
     };
     for finding in findings.iter_mut().filter(|finding| is_error(finding)) {
-        let is_told =
-            |path: &str| finding.path == path || finding.related.iter().any(|one| one.path == path);
+        let related = finding.related.iter().map(|one| one.path.as_str());
+        let told: BTreeSet<&str> = related.chain([finding.path.as_str()]).collect();
         let wearers: Vec<_> = own
             .wearers(&finding.path)
             .iter()
-            .filter(|one| !is_told(&one.file.path))
+            .filter(|one| !told.contains(one.file.path.as_str()))
             .collect();
         for (number, wearer) in wearers.iter().take(EXAMPLES).enumerate() {
             let what = if wearer.is_start {

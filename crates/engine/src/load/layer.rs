@@ -77,6 +77,7 @@ pub(super) fn load(
         .filter(|one| !one.is_file() && one.entry.link_to.is_some());
     layer.pack.clone_from(&place.pack);
     layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();
+    layer.linked_folders.sort_unstable();
     (layer, sizes)
 }
 

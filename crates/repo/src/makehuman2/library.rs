@@ -36,6 +36,10 @@ pub struct Library<'a> {
     assets: Vec<Asset<'a>>,
     /// Numbers by base and name.
     by_name: BTreeMap<(&'a str, String), Vec<usize>>,
+    /// Numbers of the first ones that are worn, by base and name.
+    worn: BTreeMap<(&'a str, String), usize>,
+    /// Numbers of the first ones by base, name and uuid.
+    by_identity: BTreeMap<(&'a str, String, String), usize>,
     /// What is worn and lies where no list looks, or has a suffix that none takes, by name.
     unlisted: BTreeMap<String, &'a FileFacts>,
 }
@@ -57,11 +61,13 @@ impl<'a> Library<'a> {
         }
         library.assets.sort_by_key(|asset| asset.base);
         for (number, asset) in library.assets.iter().enumerate() {
-            library
-                .by_name
-                .entry((asset.base, asset.name.clone()))
-                .or_default()
-                .push(number);
+            let name = (asset.base, asset.name.clone());
+            let identity = (asset.base, asset.name.clone(), asset.uuid.clone());
+            library.by_identity.entry(identity).or_insert(number);
+            if asset.is_worn() {
+                library.worn.entry(name.clone()).or_insert(number);
+            }
+            library.by_name.entry(name).or_default().push(number);
         }
         library
     }
@@ -86,8 +92,10 @@ impl<'a> Library<'a> {
     /// What a model gets that asks for a name and a uuid: the asset that is known by both, or else
     /// one of the name.
     pub fn worn(&self, base: &'a str, name: &str, uuid: &str) -> Option<&Asset<'a>> {
-        let both = self.named(base, name).find(|asset| asset.uuid == uuid);
-        both.or_else(|| self.named(base, name).find(|asset| asset.is_worn()))
+        let identity = (base, name.to_owned(), uuid.to_owned());
+        let both = self.by_identity.get(&identity);
+        let number = both.or_else(|| self.worn.get(&(base, name.to_owned())))?;
+        self.assets.get(*number)
     }
 
     /// What is worn under a name but not listed: why that is has a finding of its own.

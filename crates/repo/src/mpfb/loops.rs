@@ -1,6 +1,8 @@
 //! Which targets MPFB composes the names of: five loops over the names in `macro.json`, hard-coded
 //! in the program (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
+use std::collections::BTreeMap;
+
 use mhlint_formats::macro_parts::{MacroParts, RACES, Setting};
 
 /// Places among the settings.
@@ -184,6 +186,7 @@ impl Axis {
 /// The names of a setting in the order of its parts, each once.
 pub fn names(setting: &Setting) -> Vec<Name<'_>> {
     let mut names: Vec<Name<'_>> = Vec::new();
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     for part in &setting.parts {
         let length = part.highest - part.lowest;
         // One that never matches, or gives shares that are no numbers, adds nothing.
@@ -196,7 +199,8 @@ pub fn names(setting: &Setting) -> Vec<Name<'_>> {
                 continue;
             };
             let most = if is_reached { share } else { 0.0 };
-            match names.iter_mut().find(|known| known.text == text) {
+            let place = *places.entry(text).or_insert(names.len());
+            match names.get_mut(place) {
                 Some(known) => known.most = known.most.max(most),
                 None => names.push(Name { text, most }),
             }

@@ -1,11 +1,11 @@
 //! The parts of the macro settings with the targets that MPFB composes of their names
 //! (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::loops::{Axis, LOOPS, Name, are_too_many, is_reachable};
 use crate::{FileFacts, Layer};
-use mhlint_formats::macro_parts::{MacroParts, RACES};
+use mhlint_formats::macro_parts::{MacroParts, RACES, Setting};
 use mhlint_source::normalized;
 
 /// `macro.json` in its layer.
@@ -23,6 +23,13 @@ pub struct Parts<'a> {
     pub is_too_large: bool,
     /// Printed paths of those that are there.
     found: BTreeSet<&'a str>,
+    /// Folders in which sliders lead to one that is not there, in small letters.
+    lacking: BTreeSet<String>,
+    /// The names that are written for settings, by place.
+    names: BTreeSet<(usize, &'a str)>,
+    /// For the place of each setting that could be read as a whole where its parts begin, in order,
+    /// each with the farthest end of those up to it.
+    reach: BTreeMap<usize, Vec<(f64, f64)>>,
 }
 
 /// A target that a loop asks for.
@@ -46,6 +53,7 @@ impl<'a> Parts<'a> {
     pub(super) fn of(layer: &'a Layer, file: &'a FileFacts) -> Option<Self> {
         let settings = file.macro_parts()?;
         let is_too_large = are_too_many(settings);
+        let whole = settings.settings.iter().filter(|own| own.is_whole);
         let mut parts = Self {
             layer,
             file,
@@ -53,6 +61,9 @@ impl<'a> Parts<'a> {
             requests: Vec::new(),
             is_too_large,
             found: BTreeSet::new(),
+            lacking: BTreeSet::new(),
+            names: names_of(settings).collect(),
+            reach: whole.map(|own| (own.place, reach(own))).collect(),
         };
         if settings.is_whole() && !is_too_large {
             parts.requests = parts.all_requests();
@@ -60,6 +71,13 @@ impl<'a> Parts<'a> {
                 .requests
                 .iter()
                 .filter_map(|own| Some(own.file?.path.as_str()))
+                .collect();
+            let missing = parts
+                .requests
+                .iter()
+                .filter(|own| own.is_reachable && own.file.is_none());
+            parts.lacking = missing
+                .map(|own| crate::parent(&own.rel).to_ascii_lowercase())
                 .collect();
         }
         Some(parts)
@@ -105,23 +123,25 @@ impl<'a> Parts<'a> {
                     .settings
                     .iter()
                     .find(|setting| setting.place == *place);
-                let mut parts = setting.iter().flat_map(|setting| &setting.parts).peekable();
-                let is_named = |own: &Option<String>| own.as_deref() == Some(name);
-                parts.peek().is_none()
-                    || parts.any(|part| is_named(&part.low) || is_named(&part.high))
+                setting.is_none_or(|setting| setting.parts.is_empty())
+                    || self.names.contains(&(*place, name))
             }
         }
+    }
+
+    /// Whether some part of a setting has a value; `None` where not all of them could be read.
+    pub(super) fn cover(&self, place: usize, value: f64) -> Option<bool> {
+        let reach = self.reach.get(&place)?;
+        let count = reach.partition_point(|(lowest, _)| *lowest < value);
+        let last = count.checked_sub(1).and_then(|last| reach.get(last));
+        Some(last.is_some_and(|(_, farthest)| value < *farthest))
     }
 
     /// Whether a loop misses a target in the folder of this one, which may be the one that it is
     /// meant to be.
     pub fn may_be_meant(&self, rel: &str) -> bool {
-        let folder = crate::parent(rel);
-        let mut missing = self
-            .requests
-            .iter()
-            .filter(|request| request.is_reachable && request.file.is_none());
-        missing.any(|request| crate::parent(&request.rel).eq_ignore_ascii_case(folder))
+        self.lacking
+            .contains(&crate::parent(rel).to_ascii_lowercase())
     }
 
     /// The folder of all targets: the one above that of the file.
@@ -156,6 +176,33 @@ impl<'a> Parts<'a> {
         }
         requests
     }
+}
+
+/// The names that are written for each setting, by its place.
+fn names_of(settings: &MacroParts) -> impl Iterator<Item = (usize, &str)> {
+    settings.settings.iter().flat_map(|setting| {
+        let names = setting
+            .parts
+            .iter()
+            .flat_map(|part| [&part.low, &part.high]);
+        names.filter_map(|name| Some((setting.place, name.as_deref()?)))
+    })
+}
+
+/// Where the parts of a setting begin, in order, each with the farthest end of those up to it.
+fn reach(setting: &Setting) -> Vec<(f64, f64)> {
+    let ranges = setting.parts.iter().map(|part| (part.lowest, part.highest));
+    // A range without numbers has no value.
+    let mut ranges: Vec<(f64, f64)> = ranges
+        .filter(|(lowest, highest)| lowest < highest)
+        .collect();
+    ranges.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut farthest = f64::NEG_INFINITY;
+    for (_, highest) in &mut ranges {
+        farthest = farthest.max(*highest);
+        *highest = farthest;
+    }
+    ranges
 }
 
 /// Every choice of one name from each list, the last list running fastest.

@@ -64,6 +64,8 @@ pub struct View<'a> {
     worn: Vec<Worn<'a>>,
     /// The same of another folder of the user: names lead there, too.
     worn_beside: Vec<Worn<'a>>,
+    /// The targets in the slots of sliders, in small letters.
+    slot_targets: BTreeSet<String>,
     /// The groups of the base mesh that are seen: helpers and joints are masked.
     shown: BTreeSet<String>,
     /// Endings of targets that move the body sideways.
@@ -144,6 +146,7 @@ impl<'a> View<'a> {
         let one_sided = ["-trans-in", "-trans-out"].map(str::to_owned).to_vec();
         Self {
             layers,
+            slot_targets: catalog.as_ref().map(slot_targets).unwrap_or_default(),
             catalog,
             parts,
             mesh,
@@ -185,18 +188,8 @@ impl<'a> View<'a> {
     }
 
     /// The targets in the slots of sliders, there or not, in small letters.
-    pub fn slot_targets(&self) -> BTreeSet<String> {
-        let sections = self
-            .catalog
-            .iter()
-            .flat_map(|catalog| &catalog.sliders.sections);
-        let slots = sections
-            .flat_map(|section| &section.categories)
-            .flat_map(Category::slots_in_use);
-        slots
-            .filter(|slot| !slot.stem.is_empty())
-            .map(|slot| slot.stem.to_lowercase())
-            .collect()
+    pub const fn slot_targets(&self) -> &BTreeSet<String> {
+        &self.slot_targets
     }
 
     /// Whether the user's folder is at hand. What a file in place of one of its folders takes away
@@ -265,16 +258,11 @@ impl<'a> View<'a> {
         let Some(place) = SETTINGS.iter().position(|known| *known == setting) else {
             return false;
         };
-        let holds = |(lowest, highest): (f64, f64)| lowest < value && value < highest;
-        let settings = self.parts.iter().flat_map(|parts| &parts.settings.settings);
-        let own = settings
-            .filter(|own| own.is_whole)
-            .find(|own| own.place == place);
-        let is_covered = own.map_or(holds((-0.01, 1.01)), |own| {
-            own.parts
-                .iter()
-                .any(|part| holds((part.lowest, part.highest)))
-        });
+        let is_covered = self
+            .parts
+            .as_ref()
+            .and_then(|parts| parts.cover(place, value))
+            .unwrap_or(-0.01 < value && value < 1.01);
         LOOPS.iter().all(|own| own.needs(place)) && !is_covered
     }
 
@@ -405,6 +393,20 @@ impl<'a> View<'a> {
             packed_in: None,
         }
     }
+}
+
+/// The targets in the slots of sliders, there or not, in small letters.
+fn slot_targets(catalog: &Catalog<'_>) -> BTreeSet<String> {
+    let slots = catalog
+        .sliders
+        .sections
+        .iter()
+        .flat_map(|section| &section.categories)
+        .flat_map(Category::slots_in_use);
+    slots
+        .filter(|slot| !slot.stem.is_empty())
+        .map(|slot| slot.stem.to_lowercase())
+        .collect()
 }
 
 /// A rig of the body with the weights that are found for it.

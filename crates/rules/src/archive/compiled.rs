@@ -10,7 +10,7 @@ use mhlint_formats::mhbin::MeshFault;
 use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::npz::{ArchiveFault, NpyFault};
 use mhlint_repo::makehuman1::View;
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Worn};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind};
 
 const TEXT: Case = &[(
     Makehuman1,
@@ -69,13 +69,11 @@ fn is_opened(view: &View<'_>, file: &FileFacts, has_text: bool) -> bool {
     if file.rel.ends_with(".mhpxy") {
         return archive_library_of(&file.rel).is_some();
     }
-    let names = |worn: &Worn<'_>| {
-        let mesh = worn
-            .reference(ReferenceKind::AssetMesh)
-            .and_then(Reference::found);
-        mesh.is_some_and(|mesh| std::ptr::eq(mesh, file))
+    let is_mesh = |one: &Reference<'_>| {
+        let found = one.found().is_some_and(|mesh| std::ptr::eq(mesh, file));
+        found && one.kind == ReferenceKind::AssetMesh
     };
-    has_text || file.rel.ends_with(".npz") && view.worn().iter().any(names)
+    has_text || file.rel.ends_with(".npz") && view.references.to_file(file).any(is_mesh)
 }
 
 /// The archive of the base mesh.

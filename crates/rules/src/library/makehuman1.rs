@@ -19,7 +19,7 @@ use mhlint_formats::mhbin::asset::Packed;
 use mhlint_repo::aside::OF_MAKEHUMAN1;
 use mhlint_repo::makehuman1::{Asset, CUSTOM, Known, View};
 use mhlint_repo::{FileFacts, Layer};
-use mhlint_source::{Guess, is_below};
+use mhlint_source::Guess;
 
 /// What is worn in a library that lists another extension.
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -388,10 +388,7 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
             .is_none_or(|guess| guess == Guess::SingleByte)
             && !file.encoding.lfs_pointer;
         let is_sound = is_text || Packed::proxy_of(file.packed()).is_some();
-        let is_listed = !layer
-            .linked_folders
-            .iter()
-            .any(|folder| is_below(&file.rel, folder));
+        let is_listed = !layer.is_behind_link(&file.rel);
         let has = |extension| beside(file, extension).is_some();
         let is_pictured = has("thumb") || *library == "skins" && has("png");
         // What the program opens by its name is missing under that (`program-missing-file`).
@@ -553,12 +550,8 @@ fn told<'t, 'a>(
     assets: &'t [Asset<'a>],
 ) -> Option<(&'t Asset<'a>, Vec<&'t Asset<'a>>)> {
     // What is behind a link is not listed.
-    let linked = &view.layers.checked.linked_folders;
-    let is_listed = |asset: &&Asset<'_>| {
-        !linked
-            .iter()
-            .any(|folder| is_below(&asset.file.rel, folder))
-    };
+    let layer = view.layers.checked;
+    let is_listed = |asset: &&Asset<'_>| !layer.is_behind_link(&asset.file.rel);
     let own = assets
         .iter()
         .filter(|asset| view.layers.is_checked(asset.file));

@@ -15,6 +15,7 @@ use mhlint_repo::makehuman2::View;
 pub(super) fn unread(
     rule: &Rule,
     view: &View<'_>,
+    listed: &Listed<'_>,
     folder: &str,
     files: &[&FileFacts],
     bases: &BTreeSet<&str>,
@@ -30,15 +31,9 @@ pub(super) fn unread(
     let is_at_top = |file: &&FileFacts| {
         is_directly_in(file) && !view.layers.checked.is_pack_of(Application::Makehuman2)
     };
-    let known = view.library.bases();
-    let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, &known, file));
-    let holds_skeleton = || {
-        view.references
-            .iter()
-            .any(|one| renamed_rigs(view.layers.checked, one) == Some(folder))
-    };
+    let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, listed, file));
     if near.is_some_and(|near| near.eq_ignore_ascii_case(folder))
-        || near == Some("rigs") && holds_skeleton()
+        || near == Some("rigs") && listed.renamed_rigs.contains(folder)
         || !is_meant
         || !files.iter().all(|file| has_base(file) || is_at_top(file))
     {
@@ -76,21 +71,41 @@ fn is_directly_in(file: &FileFacts) -> bool {
     file.rel.matches('/').count() == 1
 }
 
+/// What is listed, made once for all folders.
+pub(super) struct Listed<'v> {
+    /// The base meshes that assets are for.
+    bases: BTreeSet<&'v str>,
+    /// The names of assets, whatever base mesh they are for.
+    names: BTreeSet<&'v str>,
+    /// Folders that hold a skeleton which is looked for in `rigs`.
+    renamed_rigs: BTreeSet<&'v str>,
+}
+
+impl<'v> Listed<'v> {
+    pub(super) fn of(view: &'v View<'_>) -> Self {
+        let bases = view.library.bases();
+        let assets = bases.iter().flat_map(|base| view.library.of_base(base));
+        let references = view.references.iter();
+        let renamed = references.filter_map(|one| renamed_rigs(view.layers.checked, one));
+        Self {
+            names: assets.map(|asset| asset.name.as_str()).collect(),
+            renamed_rigs: renamed.collect(),
+            bases,
+        }
+    }
+}
+
 /// Whether a worn asset is listed nowhere under its name.
-fn is_lost(view: &View<'_>, bases: &BTreeSet<&str>, file: &FileFacts) -> bool {
-    let name = file
-        .clothes()
-        .and_then(|clothes| clothes.scanned.name.as_ref());
-    let base = file
-        .rel
-        .split('/')
-        .nth(1)
-        .filter(|base| bases.contains(base));
-    let is_listed = |base: &&str, name: &str| view.library.named(base, name).next().is_some();
-    name.is_some_and(|name| match base {
-        Some(base) => !is_listed(&base, &name.text),
-        None => !bases.iter().any(|base| is_listed(base, &name.text)),
-    })
+fn is_lost(view: &View<'_>, listed: &Listed<'_>, file: &FileFacts) -> bool {
+    let clothes = file.clothes();
+    let Some(name) = clothes.and_then(|clothes| clothes.scanned.name.as_ref()) else {
+        return false;
+    };
+    let base = file.rel.split('/').nth(1);
+    match base.and_then(|base| listed.bases.get(base)) {
+        Some(base) => view.library.named(base, &name.text).next().is_none(),
+        None => !listed.names.contains(&*name.text),
+    }
 }
 
 /// Folders in which other programs look for what `MakeHuman` 2 has elsewhere, and where that is.

@@ -3,13 +3,13 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
-    Case, Finding, Level, Place, RuleInfo,
+    Case, Finding, Level, Place, RuleInfo, grouped,
 };
 use mhlint_discover::Kind;
 use mhlint_formats::mhclo::Entry;
 use mhlint_repo::{FileFacts, View};
 
-pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
+pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
@@ -37,8 +37,14 @@ const UUID: Case = &[(
         for the asset",
 )];
 
-fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(in_path(view, file));
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    in_paths(view, out);
+    for file in view.files() {
+        in_text(view, file, out);
+    }
+}
+
+fn in_text(view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
     let is_listed = file.kind == Kind::Clothes && (view.layout().scans)(&file.rel);
     let Some(clothes) = file.clothes().filter(|_| is_listed) else {
         return;
@@ -98,46 +104,54 @@ fn joined(entry: &Entry) -> String {
 const WHOLE_UUID: usize = 36;
 
 /// A model names poses and skins by their paths.
-fn in_path(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
-    let library = file
-        .rel
-        .split('/')
-        .next()
-        .filter(|_| view.is_makehuman1() && (view.layout().scans)(&file.rel))?;
-    let what = match library {
+fn in_paths(view: &View<'_>, out: &mut Vec<Finding>) {
+    if !view.is_makehuman1() {
+        return;
+    }
+    let listed = view
+        .files()
+        .filter(|file| (view.layout().scans)(&file.rel) && has_space(&file.rel));
+    // However many lie in a folder, one name is at fault.
+    let by_name = grouped(listed.map(|file| (name_at_fault(&file.rel), file)));
+    out.extend(
+        by_name
+            .into_iter()
+            .filter_map(|(name, files)| of_name(view, name, &files)),
+    );
+}
+
+fn has_space(path: &str) -> bool {
+    path.contains(char::is_whitespace)
+}
+
+/// The first folder with a space in its name, or else the file.
+fn name_at_fault(rel: &str) -> &str {
+    rel.match_indices('/')
+        .filter_map(|(end, _)| rel.get(..end))
+        .find(|folder| has_space(folder))
+        .unwrap_or(rel)
+}
+
+fn of_name(view: &View<'_>, name: &str, files: &[&FileFacts]) -> Option<Finding> {
+    let file = files.first()?;
+    let what = match name.split('/').next()? {
         "poses" => "pose",
         "skins" => "skin",
         _ => return None,
     };
-    let has_space = |path: &str| path.contains(char::is_whitespace);
-    let mut folders = file
-        .rel
-        .match_indices('/')
-        .filter_map(|(end, _)| file.rel.get(..end));
-    let finding = match folders.find(|folder| has_space(folder)) {
-        // However many lie in it, one name is at fault.
-        Some(folder) => {
-            let layer = view.layers().checked;
-            let mut listed = layer
-                .below(folder)
-                .filter(|other| (view.layout().scans)(&other.rel));
-            if listed.next().is_none_or(|first| first.path != file.path) {
-                return None;
-            }
-            let count = counted(listed.count() + 1, what);
-            let message = format!(
-                "folder `{}` of {count} has a space in its name",
-                layer.shown(folder)
-            );
-            RULE.in_layer(layer, folder, message)
-                .help("rename the folder, and what is in it, without spaces")
-        }
-        None if has_space(&file.rel) => {
-            let message = format!("the path of the {what} has a space: `{}`", file.shown());
-            RULE.at(file, Place::File, message)
-                .help("rename the file without spaces")
-        }
-        None => return None,
+    let finding = if name == file.rel {
+        let message = format!("the path of the {what} has a space: `{}`", file.shown());
+        RULE.at(file, Place::File, message)
+            .help("rename the file without spaces")
+    } else {
+        let layer = view.layers().checked;
+        let message = format!(
+            "folder `{}` of {} has a space in its name",
+            layer.shown(name),
+            counted(files.len(), what)
+        );
+        RULE.in_layer(layer, name, message)
+            .help("rename the folder, and what is in it, without spaces")
     };
     let effect = format!("saves models that lose the {what}: a line of a model is split at spaces");
     Some(finding.key("path").effect_in(view.application(), effect))

@@ -1,6 +1,9 @@
 //! Assets in a format of an older version: each folder is one finding, whatever else follows from
 //! it.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Bound;
+
 use super::super::cause::outdated::outdated;
 use super::super::{Check, Rule, RuleCx, counted, either};
 use super::old_words::{Sort, words};
@@ -10,7 +13,7 @@ use mhlint_diag::{
 };
 use mhlint_discover::extension;
 use mhlint_formats::outdated::Outdated;
-use mhlint_repo::{FileFacts, View, parent};
+use mhlint_repo::{FileFacts, Layer, View, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
@@ -40,8 +43,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let top = if file.is_loose { file.folder() } else { top };
         Some(((top, Sort::of(found, file)), (file, found)))
     });
-    for ((top, sort), files) in grouped(old) {
-        out.extend(finding(view, top, sort, &files));
+    let old = grouped(old);
+    let all = if old.is_empty() {
+        Shown::default()
+    } else {
+        shown(layer)
+    };
+    for ((top, sort), files) in old {
+        out.extend(finding(layer, &all, top, sort, &files));
     }
 }
 
@@ -50,7 +59,8 @@ fn is_1_0(version: Version) -> bool {
 }
 
 fn finding(
-    view: &View<'_>,
+    layer: &Layer,
+    shown: &Shown<'_>,
     top: &str,
     sort: Sort,
     files: &[(&FileFacts, Outdated)],
@@ -70,7 +80,7 @@ fn finding(
         1 => format!("`{}` {} of {versions}", first.file_name(), words.one),
         count => {
             let folder = common_folder(files);
-            let all = alike(view, first, folder);
+            let all = alike(shown, first, folder);
             let of_all = if all > count {
                 format!("{count} of {}", counted(all, words.noun))
             } else {
@@ -84,7 +94,6 @@ fn finding(
             format!("{of_all}{place} {} of {versions}", words.several)
         }
     };
-    let layer = view.layers().checked;
     let asset = if first.is_loose {
         top.to_owned()
     } else {
@@ -123,16 +132,27 @@ fn common_folder<'f>(files: &[(&'f FileFacts, Outdated)]) -> &'f str {
     })
 }
 
+/// The printed paths of files by their suffix, in order.
+type Shown<'l> = BTreeMap<&'l str, BTreeSet<&'l str>>;
+
+fn shown(layer: &Layer) -> Shown<'_> {
+    let mut shown = Shown::new();
+    for file in layer.files.values() {
+        let alike = shown.entry(extension(&file.rel)).or_default();
+        alike.insert(file.shown());
+    }
+    shown
+}
+
 /// How many files of the same suffix lie there.
-fn alike(view: &View<'_>, first: &FileFacts, folder: &str) -> usize {
-    let own = extension(&first.rel);
-    let files = view
-        .layers()
-        .checked
-        .files
-        .values()
-        .filter(|file| extension(&file.rel) == own);
-    files
-        .filter(|file| mhlint_source::is_below(file.shown(), folder))
-        .count()
+fn alike(shown: &Shown<'_>, first: &FileFacts, folder: &str) -> usize {
+    let Some(alike) = shown.get(extension(&first.rel)) else {
+        return 0;
+    };
+    if folder.is_empty() {
+        return alike.len();
+    }
+    let within = format!("{folder}/");
+    let from = alike.range::<str, _>((Bound::Included(within.as_str()), Bound::Unbounded));
+    from.take_while(|path| path.starts_with(&within)).count()
 }

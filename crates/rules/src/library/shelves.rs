@@ -10,7 +10,6 @@ use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grou
 use mhlint_discover::extension;
 use mhlint_repo::mpfb::{View, uuid};
 use mhlint_repo::{FileFacts, Layer};
-use mhlint_source::is_below;
 
 /// Folders with a list, and the suffix of what is in it.
 const SHELVES: [(&str, &str); 9] = [
@@ -48,16 +47,10 @@ pub(super) fn label(file: &FileFacts) -> String {
 
 /// What is listed of a layer; links to folders are not followed.
 pub(super) fn listed(layer: &Layer) -> impl Iterator<Item = (&'static str, &FileFacts)> {
-    let is_linked = |file: &FileFacts| {
-        layer
-            .linked_folders
-            .iter()
-            .any(|folder| is_below(&file.rel, folder))
-    };
     let files = layer
         .files
         .values()
-        .filter(move |file| !is_linked(file) && !file.is_loose);
+        .filter(|file| !layer.is_behind_link(&file.rel) && !file.is_loose);
     files.filter_map(|file| Some((shelf(file)?, file)))
 }
 

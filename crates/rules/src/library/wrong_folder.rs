@@ -109,11 +109,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .filter_map(|((category, suffix), files)| misplaced(layer, files, suffix, category)),
     );
     makehuman2::in_folders_of_others(&RULE, view, out);
-    out.extend(
-        unknown
-            .into_iter()
-            .filter_map(|(folder, files)| makehuman2::unread(&RULE, view, folder, &files, &bases)),
-    );
+    if unknown.is_empty() {
+        return;
+    }
+    let listed = makehuman2::Listed::of(view);
+    out.extend(unknown.into_iter().filter_map(|(folder, files)| {
+        makehuman2::unread(&RULE, view, &listed, folder, &files, &bases)
+    }));
 }
 
 const FILTER: &str = "selection_filter.json";

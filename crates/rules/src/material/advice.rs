@@ -16,6 +16,8 @@ pub(super) struct Advice<'v, 'a> {
     pictures: Grouped<&'a str, &'a FileFacts>,
     /// By their paths.
     paths: BTreeMap<&'a str, &'a FileFacts>,
+    /// Those of them that nobody names.
+    free: BTreeMap<&'a str, &'a FileFacts>,
     suggestions: Suggestions,
 }
 
@@ -30,9 +32,11 @@ impl<'v, 'a> Advice<'v, 'a> {
         let paths: BTreeMap<&str, &FileFacts> =
             files.map(|file| (file.rel.as_str(), file)).collect();
         let pictures = grouped(paths.values().map(|file| (file.file_name(), *file)));
+        let free = paths.iter().filter(|(_, file)| is_free(view, file));
         Self {
             view,
             pictures,
+            free: free.map(|(path, file)| (*path, *file)).collect(),
             paths,
             suggestions: Suggestions::default(),
         }
@@ -73,20 +77,20 @@ impl<'v, 'a> Advice<'v, 'a> {
                 "write the name without spaces, such as `{name}`: it ends at the first space"
             );
         }
-        let around = self
-            .below(around(&folders))
-            .filter(|file| self.is_free(file));
-        let names = around
-            .filter_map(|file| near(file, &folders))
-            .filter(|name| is_name(name));
-        did_you_mean(self.suggestions.nearest(reference.text, names), otherwise)
+        let names = self
+            .free_below(around(&folders))
+            .map(|file| near(file, &folders).filter(|name| is_name(name)));
+        did_you_mean(
+            self.suggestions.nearest_of_wanted(reference.text, names),
+            otherwise,
+        )
     }
 
-    /// The pictures below a folder.
-    fn below(&self, folder: &str) -> impl Iterator<Item = &'a FileFacts> {
+    /// The pictures below a folder that nobody names.
+    fn free_below(&self, folder: &str) -> impl Iterator<Item = &'a FileFacts> {
         let within = format!("{folder}/");
         let from = self
-            .paths
+            .free
             .range::<str, _>((Bound::Included(within.as_str()), Bound::Unbounded));
         from.map(|(_, file)| *file)
             .take_while(move |file| file.rel.starts_with(&within))
@@ -124,8 +128,13 @@ impl<'v, 'a> Advice<'v, 'a> {
     }
 
     fn is_free(&self, file: &FileFacts) -> bool {
-        self.view.references().to_file(file).next().is_none()
+        self.free.contains_key(file.rel.as_str())
     }
+}
+
+/// Whether nobody names a picture.
+fn is_free(view: &View<'_>, file: &FileFacts) -> bool {
+    view.references().to_file(file).next().is_none()
 }
 
 /// Pictures of one name that are looked at: of more of them none is meant more than another.

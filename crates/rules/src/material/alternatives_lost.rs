@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::cause::unfiled::is_of_no_base;
 use super::super::{Check, Rule, RuleCx};
-use super::alternatives_shared::unoffered;
+use super::alternatives_around::Around;
+use super::alternatives_shared::{materials_of, unoffered};
 use mhlint_diag::{
     Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
-use mhlint_discover::{Kind, extension};
-use mhlint_repo::{FileFacts, Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
+use mhlint_discover::extension;
+use mhlint_repo::{Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
 use mhlint_source::is_below;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -86,6 +87,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = own.filter(is_listed);
     let meshes = own.filter_map(|worn| Some((worn, mesh(worn)?)));
     let by_folder = grouped(meshes.map(|(worn, mesh)| (parent(&mesh.rel), (worn, mesh))));
+    let mut around = Around::of(layers.checked);
     for (folder, assets) in by_folder {
         if folder.matches('/').count() < 2 {
             out.extend(at_top(layers.checked, folder, &assets));
@@ -93,7 +95,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(
                 assets
                     .iter()
-                    .filter_map(|(worn, mesh)| elsewhere(layers.checked, worn, mesh)),
+                    .filter_map(|(worn, mesh)| elsewhere(&mut around, worn, mesh)),
             );
         }
     }
@@ -139,17 +141,11 @@ fn own_material<'a>(worn: &Worn<'a>) -> Option<&'a str> {
     material.found().map(|file| file.rel.as_str())
 }
 
-fn materials<'l>(layer: &'l Layer, folder: &str) -> impl Iterator<Item = &'l FileFacts> {
-    layer
-        .below(folder)
-        .filter(|file| file.kind == Kind::Material)
-}
-
 /// Assets whose meshes lie in the folder of all assets, if there are materials besides their own.
 fn at_top(layer: &Layer, folder: &str, assets: &[(&Worn<'_>, &Reference<'_>)]) -> Option<Finding> {
     let (first, mesh) = assets.first()?;
     let own = own_material(first);
-    materials(layer, folder).find(|file| Some(file.rel.as_str()) != own)?;
+    materials_of(layer.below(folder)).find(|file| Some(file.rel.as_str()) != own)?;
     let message = match assets.len() {
         1 => format!(
             "`{}` is in the folder of all assets, not in one of its own",
@@ -170,27 +166,23 @@ fn at_top(layer: &Layer, folder: &str, assets: &[(&Worn<'_>, &Reference<'_>)]) -
 }
 
 /// An asset with materials around it, but not around its mesh.
-fn elsewhere(layer: &Layer, worn: &Worn<'_>, mesh: &Reference<'_>) -> Option<Finding> {
+fn elsewhere(around: &mut Around<'_>, worn: &Worn<'_>, mesh: &Reference<'_>) -> Option<Finding> {
     let (own, searched) = (parent(&worn.file.rel), parent(&mesh.rel));
     // Those of other assets are none of its own.
     if is_below(own, searched) || own.matches('/').count() < 2 {
         return None;
     }
-    let standard = own_material(worn);
-    let is_lost =
-        |file: &&FileFacts| Some(file.rel.as_str()) != standard && !is_below(&file.rel, searched);
-    let lost: Vec<&str> = materials(layer, own)
-        .filter(is_lost)
-        .map(|file| file.rel.as_str())
-        .collect();
-    lost.first()?;
-    let message = match lost.len() {
+    let (count, evidence) = around.lost(own, searched, own_material(worn))?;
+    let message = match count {
         1 => format!("a material is not offered: the mesh is in `{searched}`"),
         count => format!("{count} materials are not offered: the mesh is in `{searched}`"),
     };
     let finding = RULE
         .at(worn.file, mesh.place.clone(), message)
         .key("folder");
-    let finding = finding.evidence(Evidence::of_cases(lost));
-    Some(finding.help("keep asset, mesh and materials together in a folder of their own"))
+    Some(
+        finding
+            .evidence(evidence)
+            .help("keep asset, mesh and materials together in a folder of their own"),
+    )
 }

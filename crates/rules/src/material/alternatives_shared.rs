@@ -1,12 +1,12 @@
 //! Materials beside the folders of assets, which are offered for assets without materials of their
 //! own (`docs/loaders/makehuman2/materials.md#alternative-materials`).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Rule, counted};
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, grouped};
 use mhlint_discover::Kind;
-use mhlint_repo::{FileFacts, Layer, ReferenceKind, View, Worn, parent};
+use mhlint_repo::{FileFacts, ReferenceKind, View, parent};
 
 const UNOFFERED: Case = &[(
     Makehuman2,
@@ -31,9 +31,11 @@ pub(super) fn unoffered(rule: &Rule, view: &View<'_>) -> Vec<Finding> {
         .values()
         .filter(|file| file.kind == Kind::Material && !named.contains(file.path.as_str()));
     let by_folder = grouped(shared.filter_map(|file| Some((sort_of(file)?, file))));
-    let lost = by_folder
-        .into_iter()
-        .filter(|(sort, _)| is_offered_for_nothing(view, sort));
+    let folders = folders_of_assets(view);
+    let lost = by_folder.into_iter().filter(|(sort, _)| {
+        let folders = folders.get(sort);
+        folders.is_some_and(|folders| folders.iter().all(|folder| has_own(view, folder)))
+    });
     lost.filter_map(|(sort, files)| finding(rule, sort, &files))
         .collect()
 }
@@ -44,22 +46,31 @@ fn sort_of(file: &FileFacts) -> Option<&str> {
     (sort.matches('/').count() == 1 && !sort.starts_with("skins/")).then_some(sort)
 }
 
-/// Whether there are assets of a sort, and all of them have materials of their own.
-fn is_offered_for_nothing(view: &View<'_>, sort: &str) -> bool {
-    let folder = |worn: &Worn<'_>| {
-        let mesh = worn.reference(ReferenceKind::AssetMesh)?.found()?;
-        let folder = parent(&mesh.rel);
-        (parent(folder) == sort).then(|| folder.to_owned())
-    };
-    let mut folders = view.assets().iter().filter_map(folder).peekable();
-    let has_own =
-        |layer: &Layer, folder: &str| layer.below(folder).any(|file| file.kind == Kind::Material);
-    folders.peek().is_some()
-        && folders.all(|folder| {
-            view.layers()
-                .strongest_first()
-                .any(|layer| has_own(layer, &folder))
-        })
+/// The folders in which the meshes of assets lie, by the one above.
+fn folders_of_assets<'a>(view: &View<'a>) -> BTreeMap<&'a str, BTreeSet<&'a str>> {
+    let meshes = view
+        .assets()
+        .iter()
+        .filter_map(|worn| worn.reference(ReferenceKind::AssetMesh)?.found());
+    let mut folders: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for folder in meshes.map(|mesh| parent(&mesh.rel)) {
+        folders.entry(parent(folder)).or_default().insert(folder);
+    }
+    folders
+}
+
+/// Those of some files that are materials.
+pub(super) fn materials_of<'l>(
+    files: impl Iterator<Item = &'l FileFacts>,
+) -> impl Iterator<Item = &'l FileFacts> {
+    files.filter(|file| file.kind == Kind::Material)
+}
+
+/// Whether a folder of assets has materials of its own.
+fn has_own(view: &View<'_>, folder: &str) -> bool {
+    view.layers()
+        .strongest_first()
+        .any(|layer| materials_of(layer.below(folder)).next().is_some())
 }
 
 fn finding(rule: &Rule, sort: &str, files: &[&FileFacts]) -> Option<Finding> {

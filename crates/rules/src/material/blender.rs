@@ -3,8 +3,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::pictures::blender_loads;
 use super::super::{Rule, RuleCx, did_you_mean, shown, such};
+use super::beside::free_pictures;
 use super::picture::fault;
 use super::something_else;
 use super::spelling::{self, Meant};
@@ -252,6 +252,7 @@ const OF_SKIN: Case = &[(
 
 /// Pictures that do not exist.
 pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut beside: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for look in view.looks() {
         for one in &look.pictures {
             let is_absent = matches!(one.resolution, Resolution::Missing | Resolution::Unusable);
@@ -265,7 +266,11 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
                 "does not exist"
             };
             let message = format!("texture `{}` of `{}` {what}", shown(one.text), one.owner);
-            let help = advice(view, look, one, cx);
+            let folder = parent(&look.file.rel);
+            let beside = beside
+                .entry(folder)
+                .or_insert_with(|| free_pictures(view, folder));
+            let help = advice(one, beside, cx);
             let finding = rule
                 .at(look.file, one.place.clone(), message)
                 .key(one.owner)
@@ -281,33 +286,16 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
 
 const OTHERWISE: &str = "correct the name, add the picture, or remove the line";
 
-/// Pictures of a folder that are looked at for a name: among more of them nobody finds one that was
-/// mistyped.
-const NEIGHBOURS: usize = 200;
-
 /// What to write for a picture that is not found.
-fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>) -> String {
+fn advice(one: &Reference<'_>, beside: &[&str], cx: &RuleCx<'_>) -> String {
     if let Some((name, _)) = one.text.split_once(" #") {
         return format!(
             "write `{}`: a comment behind it belongs to the name",
             name.trim_end()
         );
     }
-    if cx.suggestions.are_over() {
-        return OTHERWISE.to_owned();
-    }
-    let folder = parent(&look.file.rel);
-    // One that something names is that of another map, however near its name.
-    let is_free = |file: &&FileFacts| view.references().to_file(file).next().is_none();
-    let pictures = view
-        .layers()
-        .checked
-        .below(folder)
-        .filter(|file| blender_loads(file))
-        .take(NEIGHBOURS)
-        .filter(is_free);
-    let beside = pictures.filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
-    did_you_mean(cx.suggestions.nearest(one.text, beside), OTHERWISE)
+    let near = cx.suggestions.nearest(one.text, beside.iter().copied());
+    did_you_mean(near, OTHERWISE)
 }
 
 /// The line that names a picture.

@@ -2,9 +2,11 @@
 
 mod advice;
 pub(crate) mod alias_in_file_name;
+mod alternatives_around;
 pub(crate) mod alternatives_lost;
 mod alternatives_shared;
 pub(crate) mod arity;
+mod beside;
 mod blender;
 pub(crate) mod boolean_spelling;
 pub(crate) mod coloration_texture;

@@ -1,9 +1,13 @@
 //! A map of texture coordinates has the faces of the mesh that it is used for.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx, counted, shown};
-use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
+use mhlint_diag::{
+    Application::Makehuman1, Case, Finding, Grouped, Level, Place, RuleInfo, grouped,
+};
 use mhlint_formats::uv_map::{UvFault, UvMap};
-use mhlint_repo::{Body, FileFacts, Reference, ReferenceKind, Surface, View, Wearer, Worn};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind, Surface, View, Wearer};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(
@@ -40,7 +44,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .references()
         .iter()
         .filter(|one| one.kind == ReferenceKind::UvMap);
-    let bodies = view.bodies();
+    let meshes = Meshes::of(view);
     for reference in own.filter(|one| view.layers().is_checked(one.from)) {
         let Some(file) = reference.found() else {
             continue;
@@ -58,7 +62,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 "this material uses it",
             ),
             None if map.faces > 0 && map.corners != CORNERS => other_corners(reference, map),
-            None => match other_faces(view, &bodies, reference, map) {
+            None => match meshes.other_faces(reference, map) {
                 Some(finding) => finding,
                 None => continue,
             },
@@ -122,55 +126,64 @@ fn other_corners(reference: &Reference<'_>, map: &UvMap) -> Finding {
     finding.help("repeat the first corner of each triangle in the map, or remove the line")
 }
 
-/// The finding on the first mesh whose faces are not as many.
-fn other_faces(
-    view: &View<'_>,
-    bodies: &[Body<'_>],
-    reference: &Reference<'_>,
-    map: &UvMap,
-) -> Option<Finding> {
-    let surface = view
-        .surfaces()
-        .iter()
-        .find(|surface| std::ptr::eq(surface.file, reference.from))?;
-    let (path, faces) = meshes(view, bodies, surface)
-        .into_iter()
-        .find(|(_, faces)| *faces != map.faces)?;
-    let message = format!(
-        "`uvMap {}` has {}, but the mesh has {faces}",
-        reference.text,
-        counted(map.faces, "face")
-    );
-    let finding = RULE
-        .at(reference.from, reference.place.clone(), message)
-        .key(reference.text);
-    let help = "export the map from this mesh, or remove the line";
-    Some(finding.related(path, Place::File, "the mesh").help(help))
+/// The meshes that wear materials, as their printed paths with their numbers of faces.
+struct Meshes<'v> {
+    /// The materials by their paths.
+    surfaces: BTreeMap<&'v str, &'v Surface<'v>>,
+    /// Those of assets by the path of the material that they name. Topologies keep their own
+    /// texture coordinates.
+    of_assets: Grouped<&'v str, (String, usize)>,
+    /// Those of bodies, which wear the skins.
+    of_bodies: Vec<(String, usize)>,
 }
 
-/// The meshes that wear a material, with their numbers of faces. Topologies keep their own texture
-/// coordinates.
-fn meshes(view: &View<'_>, bodies: &[Body<'_>], surface: &Surface<'_>) -> Vec<(String, usize)> {
-    if surface.wearer == Wearer::Skin {
-        let all = bodies.iter().filter_map(|body| body.mesh);
-        return all
-            .map(|(file, mesh)| (file.path.clone(), mesh.faces.len()))
-            .collect();
+impl<'v> Meshes<'v> {
+    fn of(view: &'v View<'v>) -> Self {
+        let mut surfaces = BTreeMap::new();
+        for surface in view.surfaces() {
+            surfaces
+                .entry(surface.file.path.as_str())
+                .or_insert(surface);
+        }
+        let worn = view.assets().iter().filter(|worn| !worn.is_topology());
+        let of_assets = worn.filter_map(|worn| {
+            let material = worn.reference(ReferenceKind::AssetMaterial)?.found()?;
+            let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
+            Some((material.path.as_str(), (file.path.clone(), mesh.faces)))
+        });
+        let bodies = view.bodies();
+        let of_bodies = bodies.iter().filter_map(|body| body.mesh);
+        Self {
+            surfaces,
+            of_assets: grouped(of_assets),
+            of_bodies: of_bodies
+                .map(|(file, mesh)| (file.path.clone(), mesh.faces.len()))
+                .collect(),
+        }
     }
-    let names_it = |reference: &Reference<'_>| {
-        reference
-            .found()
-            .is_some_and(|file| std::ptr::eq(file, surface.file))
-    };
-    let worn = view.assets().iter().filter(|worn| !worn.is_topology());
-    let worn = worn.filter(|worn| {
-        worn.reference(ReferenceKind::AssetMaterial)
-            .is_some_and(names_it)
-    });
-    let sound = worn
-        .filter_map(Worn::mesh)
-        .filter(|(_, mesh)| mesh.is_sound());
-    sound
-        .map(|(file, mesh)| (file.path.clone(), mesh.faces))
-        .collect()
+
+    /// The finding on the first mesh whose faces are not as many.
+    fn other_faces(&self, reference: &Reference<'_>, map: &UvMap) -> Option<Finding> {
+        let surface = self.surfaces.get(reference.from.path.as_str())?;
+        let meshes = if surface.wearer == Wearer::Skin {
+            &self.of_bodies
+        } else {
+            self.of_assets.get(surface.file.path.as_str())?
+        };
+        let (path, faces) = meshes.iter().find(|(_, faces)| *faces != map.faces)?;
+        let message = format!(
+            "`uvMap {}` has {}, but the mesh has {faces}",
+            reference.text,
+            counted(map.faces, "face")
+        );
+        let finding = RULE
+            .at(reference.from, reference.place.clone(), message)
+            .key(reference.text);
+        let help = "export the map from this mesh, or remove the line";
+        Some(
+            finding
+                .related(path.clone(), Place::File, "the mesh")
+                .help(help),
+        )
+    }
 }

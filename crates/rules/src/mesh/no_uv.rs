@@ -1,6 +1,6 @@
 //! The mesh of an asset has texture coordinates.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{
@@ -9,6 +9,7 @@ use mhlint_diag::{
 };
 use mhlint_discover::Kind;
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
+use mhlint_source::folders_above;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
@@ -34,8 +35,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .assets()
         .iter()
         .filter_map(|worn| Some((worn, bare_mesh(worn)?)));
-    let bare =
-        bare.filter(|(worn, file)| view.layers().is_checked(file) && has_texture(view, worn, file));
+    let offered = textured_folders(view);
+    let bare = bare
+        .filter(|(worn, file)| view.layers().is_checked(file) && has_texture(&offered, worn, file));
     // Several assets may have one mesh.
     let files: BTreeMap<&str, &FileFacts> =
         bare.map(|(_, file)| (file.path.as_str(), file)).collect();
@@ -57,24 +59,31 @@ fn bare_mesh<'a>(worn: &Worn<'a>) -> Option<&'a FileFacts> {
     (mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0).then_some(file)
 }
 
+fn is_textured(file: &FileFacts) -> bool {
+    file.material()
+        .is_some_and(|material| !material.textures.is_empty())
+}
+
+/// The folders below which a material with a texture lies.
+fn textured_folders<'a>(view: &View<'a>) -> BTreeSet<&'a str> {
+    let files = view.layers().checked.files.values();
+    files
+        .filter(|file| file.kind == Kind::Material && is_textured(file))
+        .flat_map(|file| folders_above(parent(&file.rel)))
+        .collect()
+}
+
 /// Whether a material that the asset names, or one that is offered for it, has a texture. A
 /// topology wears the skins.
-fn has_texture(view: &View<'_>, worn: &Worn<'_>, mesh: &FileFacts) -> bool {
+fn has_texture(offered: &BTreeSet<&str>, worn: &Worn<'_>, mesh: &FileFacts) -> bool {
     if worn.is_topology() {
         return true;
     }
     let folder = parent(&mesh.rel);
     // In the folder of the base mesh lie those of all assets.
-    let own = (folder.matches('/').count() >= 2).then(|| view.layers().checked.below(folder));
-    let offered = own
-        .into_iter()
-        .flatten()
-        .filter(|file| file.kind == Kind::Material);
-    let named = worn
-        .reference(ReferenceKind::AssetMaterial)
-        .and_then(Reference::meant);
-    offered
-        .chain(named)
-        .filter_map(FileFacts::material)
-        .any(|material| !material.textures.is_empty())
+    folder.matches('/').count() >= 2 && offered.contains(folder)
+        || worn
+            .reference(ReferenceKind::AssetMaterial)
+            .and_then(Reference::meant)
+            .is_some_and(is_textured)
 }

@@ -6,8 +6,9 @@ use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
+use mhlint_formats::asset_mesh::AssetMesh;
 use mhlint_formats::obj::{Mesh, MeshFacts};
-use mhlint_repo::{FileFacts, View};
+use mhlint_repo::{FileFacts, ReferenceKind, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
@@ -120,11 +121,15 @@ fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Findi
 
 /// Whether an asset has rows for more vertices of this mesh than its faces use.
 fn counts_loose(view: &View<'_>, file: &FileFacts) -> bool {
-    let mut worn = view
-        .assets()
-        .iter()
-        .filter_map(|worn| Some((worn.clothes()?, worn.mesh()?)));
-    worn.any(|(clothes, (own, mesh))| own.path == file.path && clothes.flow.rows > mesh.used())
+    let Some(used) = file.asset_mesh().map(AssetMesh::used) else {
+        return false;
+    };
+    view.references()
+        .to_file(file)
+        .filter(|one| one.kind == ReferenceKind::AssetMesh)
+        .filter(|one| one.from.encoding.invalid_utf8_at.is_none())
+        .filter_map(|one| one.from.clothes())
+        .any(|clothes| clothes.flow.rows > used)
 }
 
 fn can_be_read(facts: &MeshFacts) -> bool {

@@ -1,7 +1,7 @@
 //! Topologies whose weights MPFB corrects when a saved character wears them
 //! (`docs/loaders/mpfb/base-mesh.md#metadata`).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::unfit::findings;
 use super::super::{Rule, RuleCx, such};
@@ -81,6 +81,11 @@ fn misspelt<'f>(
         .filter(|worn| worn.is_topology())
         .filter_map(uuid)
         .collect();
+    let mut by_small_letters: BTreeMap<String, &str> = BTreeMap::new();
+    for uuid in &known {
+        let small = uuid.to_ascii_lowercase();
+        by_small_letters.entry(small).or_insert(uuid);
+    }
     named
         .iter()
         .filter(|one| one.name.len() > 1)
@@ -88,9 +93,8 @@ fn misspelt<'f>(
             if known.contains(&*one.name) {
                 return None;
             }
-            let in_other_case = known
-                .iter()
-                .find(|uuid| uuid.eq_ignore_ascii_case(&one.name))
+            let in_other_case = by_small_letters
+                .get(&one.name.to_ascii_lowercase())
                 .copied();
             let near = in_other_case
                 .or_else(|| cx.suggestions.nearest(&one.name, known.iter().copied()))?;

@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::offered::{Offered, last};
 use super::{makehuman1, own};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -11,7 +12,7 @@ use mhlint_diag::{
 };
 use mhlint_formats::mhm::MaterialLine;
 use mhlint_repo::makehuman2::{Base, SavedModel, View};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
+use mhlint_repo::{Reference, ReferenceKind, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::EachBase(
     run,
@@ -38,6 +39,7 @@ pub(crate) static RULE: Rule = Check::EachBase(
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut offered: BTreeMap<&str, Offered<'_>> = BTreeMap::new();
     for saved in own(view, base) {
         // Lines with an unknown category count as well, since `model-category` reports these. A
         // line without a uuid stops the loader, so that then nothing is reported here.
@@ -66,14 +68,20 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             one.kind == ReferenceKind::ModelMaterial
                 && matches!(one.resolution, Resolution::Missing)
         };
+        let lines = saved.model.materials.iter().filter(|line| fits(line));
+        let by_start: BTreeMap<usize, &MaterialLine> =
+            lines.map(|line| (line.path.span.start, line)).collect();
         for reference in view.references.of_file(saved.file).filter(is_missing) {
-            let line = saved
-                .model
-                .materials
-                .iter()
-                .find(|line| Place::Span(line.path.span.clone()) == reference.place);
-            let line = line.filter(|line| fits(line));
-            out.extend(line.map(|line| missing(view, reference, line, cx)));
+            let Place::Span(span) = &reference.place else {
+                continue;
+            };
+            if let Some(line) = by_start.get(&span.start) {
+                let folder = folder(reference);
+                let offered = offered
+                    .entry(folder)
+                    .or_insert_with(|| Offered::below(view, folder));
+                out.push(missing(reference, line, offered, cx));
+            }
         }
     }
 }
@@ -122,39 +130,27 @@ fn stray(
     finding.help(help)
 }
 
-fn missing(
-    view: &View<'_>,
-    reference: &Reference<'_>,
-    line: &MaterialLine,
-    cx: &RuleCx<'_>,
-) -> Finding {
-    let folder = reference
+/// The folder of the asset that a material line is for.
+fn folder<'r>(reference: &'r Reference<'_>) -> &'r str {
+    reference
         .rel
         .strip_suffix(reference.text)
         .unwrap_or(parent(&reference.rel))
-        .trim_end_matches('/');
-    let layers: Vec<_> = view.layers.strongest_first().collect();
-    let files: Vec<&FileFacts> = layers
-        .iter()
-        .flat_map(|layer| layer.below(folder))
-        .collect();
-    let below = files
-        .iter()
-        .filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
-    // A model cannot name a file with a space in its name.
-    let is_nameable = |name: &&str| name.ends_with(".mhmat") && !name.contains(char::is_whitespace);
-    let materials: Vec<&str> = below.filter(is_nameable).collect();
-    let same_name = || {
-        let last = reference.text.rsplit('/').next()?;
-        materials
-            .iter()
-            .find(|name| name.rsplit('/').next() == Some(last))
-            .copied()
-    };
-    let near = same_name().or_else(|| {
+        .trim_end_matches('/')
+}
+
+fn missing(
+    reference: &Reference<'_>,
+    line: &MaterialLine,
+    offered: &Offered<'_>,
+    cx: &RuleCx<'_>,
+) -> Finding {
+    let near = offered.by_last.get(last(reference.text)).copied();
+    let near = near.or_else(|| {
         cx.suggestions
-            .nearest_file(reference.text, materials.iter().copied())
+            .nearest_file(reference.text, offered.names.iter().copied())
     });
+    let folder = offered.folder;
     let (message, help) = if line.surplus == 0 {
         let help = did_you_mean(
             near,

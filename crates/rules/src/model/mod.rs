@@ -5,12 +5,14 @@ pub(crate) mod category;
 mod known_pattern;
 mod makehuman1;
 pub(crate) mod material;
+mod missing_file;
 pub(crate) mod modifier;
 mod modifier_repeated;
 mod modifier_value;
 mod mpfb_asset;
 mod mpfb_lines;
 mod mpfb_modifier;
+mod offered;
 mod short_lines;
 pub(crate) mod syntax;
 pub(crate) mod tags;
@@ -52,12 +54,7 @@ fn when(model: &SavedModel<'_>) -> &'static str {
 
 /// The help for a line that names an asset which has another name now. If the model has a material
 /// line for the asset the name is in that line, too.
-fn renamed_line(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> String {
-    let has_material = saved
-        .model
-        .materials
-        .iter()
-        .any(|other| other.name.text == line.name.text);
+fn renamed_line(line: &WornLine, asset: &Asset<'_>, has_material: bool) -> String {
     let also = if has_material {
         ", and the new name in the line of its material"
     } else {

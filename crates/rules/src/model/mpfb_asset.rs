@@ -31,26 +31,17 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
     if !view.is_complete() {
         return;
     }
-    let mut known = Known::new();
-    for worn in view.worn_anywhere() {
-        let folder = worn.file.rel.split('/').next().unwrap_or_default();
-        if let Some(uuid) = uuid(worn) {
-            known.entry((folder, Some(uuid))).or_default().push(worn);
-        }
-        // The uuid is not known if an asset cannot be read, or has two uuids after a merge.
-        if worn.clothes().is_none() || worn.file.encoding.is_unmerged() {
-            known.entry((folder, None)).or_default().push(worn);
-        }
-    }
+    let assets: Vec<Asset<'_>> = view.worn_anywhere().map(Asset::of).collect();
+    let known = Known::of(&assets);
     for file in view.own(Kind::Model) {
         let Some(model) = file.model() else { continue };
         let lost = model
             .columns
             .worn
             .iter()
-            .filter(|line| is_lost(view, &known, line));
+            .filter(|line| is_lost(&known, line));
         for (category, lines) in grouped(lost.map(|line| (line.category, line))) {
-            out.extend(finding(rule, view, file, category, &lines, cx));
+            out.extend(finding(rule, &known, file, category, &lines, cx));
         }
         let skin = model
             .columns
@@ -80,13 +71,6 @@ fn folder(category: &str) -> &str {
     }
 }
 
-/// The assets of a category.
-fn assets<'v>(view: &'v View<'_>, category: &str) -> impl Iterator<Item = &'v Worn<'v>> {
-    let folder = folder(category).to_owned();
-    view.worn_anywhere()
-        .filter(move |one| one.file.rel.split('/').next() == Some(&*folder))
-}
-
 fn uuid<'v>(worn: &Worn<'v>) -> Option<&'v str> {
     worn.clothes()?
         .all("uuid")
@@ -102,50 +86,114 @@ fn plain(name: &str) -> String {
         .collect()
 }
 
-fn is_named(worn: &Worn<'_>, line: &Wearing) -> bool {
-    plain(worn.file.stem()).contains(&plain(&line.name.text))
+/// An asset that lines may mean.
+struct Asset<'v> {
+    worn: &'v Worn<'v>,
+    folder: &'v str,
+    /// The name of its file as a line has to have it, or a part of it.
+    plain: String,
+}
+
+impl<'v> Asset<'v> {
+    fn of(worn: &'v Worn<'v>) -> Self {
+        Self {
+            worn,
+            folder: worn.file.rel.split('/').next().unwrap_or_default(),
+            plain: plain(worn.file.stem()),
+        }
+    }
+}
+
+/// Assets in their order, found by parts of their names.
+struct Named<'k> {
+    assets: Vec<&'k Asset<'k>>,
+    /// What names end with, in order, each with the place of its asset: a part of a name is the
+    /// beginning of an ending.
+    endings: Vec<(&'k str, usize)>,
+}
+
+/// Assets with a part in their names that are looked at for the first: of more of them none is
+/// meant more than another.
+const ALIKE: usize = 1000;
+
+impl<'k> Named<'k> {
+    fn of(assets: Vec<&'k Asset<'k>>) -> Self {
+        let places = assets.iter().enumerate();
+        let endings = places.flat_map(|(place, asset)| {
+            let starts = asset.plain.char_indices().map(|(start, _)| start);
+            let starts = starts.chain([asset.plain.len()]);
+            starts.filter_map(move |start| Some((asset.plain.get(start..)?, place)))
+        });
+        let mut endings: Vec<(&str, usize)> = endings.collect();
+        endings.sort_unstable();
+        Self { assets, endings }
+    }
+
+    /// The first asset with this in its name.
+    fn first_with(&self, part: &str) -> Option<&'k Worn<'k>> {
+        let start = self.endings.partition_point(|(ending, _)| *ending < part);
+        let alike = self.endings.iter().skip(start).take(ALIKE);
+        let alike = alike.take_while(|(ending, _)| ending.starts_with(part));
+        let place = alike.map(|(_, place)| *place).min()?;
+        self.assets.get(place).map(|asset| asset.worn)
+    }
+}
+
+/// The assets, since there may be thousands of them and of lines.
+struct Known<'k> {
+    by_folder: BTreeMap<&'k str, Named<'k>>,
+    /// By folder and uuid; `None` in place of the uuid is for assets whose uuid is not known.
+    by_uuid: BTreeMap<(&'k str, Option<&'k str>), Named<'k>>,
+}
+
+impl<'k> Known<'k> {
+    fn of(assets: &'k [Asset<'k>]) -> Self {
+        let by_folder = grouped(assets.iter().map(|asset| (asset.folder, asset)));
+        let uuids = assets.iter().flat_map(|asset| {
+            // The uuid is not known if an asset cannot be read, or has two uuids after a merge.
+            let is_unsure =
+                asset.worn.clothes().is_none() || asset.worn.file.encoding.is_unmerged();
+            let unsure = is_unsure.then_some(None);
+            let uuids = uuid(asset.worn).map(Some).into_iter().chain(unsure);
+            uuids.map(move |uuid| ((asset.folder, uuid), asset))
+        });
+        let by_folder = by_folder.into_iter();
+        let by_uuid = grouped(uuids).into_iter();
+        Self {
+            by_folder: by_folder
+                .map(|(key, assets)| (key, Named::of(assets)))
+                .collect(),
+            by_uuid: by_uuid
+                .map(|(key, assets)| (key, Named::of(assets)))
+                .collect(),
+        }
+    }
 }
 
 /// Whether no asset fits a line. For clothes name and uuid must fit, for other assets the uuid is
 /// enough. An asset that cannot be read may be the right one.
-fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool {
-    let with_uuid = if line.uuid.is_empty() {
-        &[][..]
-    } else {
-        of_uuid(known, line, Some(&line.uuid))
+fn is_lost(known: &Known<'_>, line: &Wearing) -> bool {
+    let (folder, name) = (folder(line.category), plain(&line.name.text));
+    let has_name = |assets: Option<&Named<'_>>| {
+        assets.is_some_and(|assets| assets.first_with(&name).is_some())
     };
-    let is_unread = of_uuid(known, line, None)
-        .iter()
-        .any(|worn| is_named(worn, line));
+    let is_unread = has_name(known.by_uuid.get(&(folder, None)));
+    let with_uuid = known
+        .by_uuid
+        .get(&(folder, Some(&*line.uuid)))
+        .filter(|_| !line.uuid.is_empty());
     let is_there = match line.category {
-        "clothes" => with_uuid.iter().any(|worn| is_named(worn, line)),
+        "clothes" => has_name(with_uuid),
         // Without a uuid MPFB takes the first asset in the folder. That is not reported if an asset
         // of the name exists.
-        category => {
-            !with_uuid.is_empty()
-                || line.uuid.is_empty() && assets(view, category).any(|worn| is_named(worn, line))
-        }
+        _ => with_uuid.is_some() || line.uuid.is_empty() && has_name(known.by_folder.get(folder)),
     };
     !is_there && !is_unread
 }
 
-/// Assets by folder and uuid, since there may be thousands of assets and of lines. `None` in place
-/// of the uuid is for assets whose uuid is not known.
-type Known<'k> = BTreeMap<(&'k str, Option<&'k str>), Vec<&'k Worn<'k>>>;
-
-fn of_uuid<'k>(
-    known: &'k Known<'k>,
-    line: &'k Wearing,
-    uuid: Option<&'k str>,
-) -> &'k [&'k Worn<'k>] {
-    known
-        .get(&(folder(line.category), uuid))
-        .map_or(&[], Vec::as_slice)
-}
-
 fn finding(
     rule: &Rule,
-    view: &View<'_>,
+    known: &Known<'_>,
     file: &FileFacts,
     category: &str,
     lines: &[&Wearing],
@@ -154,9 +202,13 @@ fn finding(
     let first = lines.first()?;
     let name = &*first.name.text;
     let more = such(lines.len(), "lines");
-    let same = assets(view, category).find(|worn| is_named(worn, first));
-    let renamed = assets(view, category)
-        .find(|worn| uuid(worn) == Some(&*first.uuid) && !first.uuid.is_empty());
+    let assets = known.by_folder.get(folder(category));
+    let same = assets.and_then(|assets| assets.first_with(&plain(name)));
+    let with_uuid = known
+        .by_uuid
+        .get(&(folder(category), Some(&*first.uuid)))
+        .filter(|_| !first.uuid.is_empty());
+    let renamed = with_uuid.and_then(|assets| assets.assets.first());
     let (message, help) = match (same, renamed) {
         (Some(_), _) if first.uuid.is_empty() => (
             format!("`{category} {name}` has no uuid{more}"),
@@ -170,16 +222,18 @@ fn finding(
             (format!("the asset `{name}` has another uuid{more}"), help)
         }
         (None, Some(renamed)) => {
-            let own = renamed.file.stem();
+            let own = renamed.worn.file.stem();
             (
                 format!("no asset is named `{name}`; the one with its uuid is `{own}`{more}"),
                 format!("write `{own}`"),
             )
         }
         (None, None) => {
-            let near = cx
-                .suggestions
-                .nearest(name, assets(view, category).map(|worn| worn.file.stem()));
+            let stems = assets
+                .into_iter()
+                .flat_map(|assets| &assets.assets)
+                .map(|asset| asset.worn.file.stem());
+            let near = cx.suggestions.nearest(name, stems);
             let help = "add the asset, or check it together with the pack that has it; otherwise \
                 remove the line";
             (

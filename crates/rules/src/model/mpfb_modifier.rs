@@ -1,7 +1,7 @@
 //! Modifiers of a model as MPFB imports them (`docs/loaders/mpfb/models.md#lines-of-a-model`): each
 //! is a macro or the name of a target.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::super::cause::consequence::NO_PART;
 use super::super::{Rule, RuleCx, did_you_mean, such};
@@ -220,11 +220,7 @@ fn names(
     }
     let mut findings = Vec::new();
     // If the missing target belongs to a slider, it is reported for the slider.
-    let of_sliders = if unknown.is_empty() {
-        BTreeSet::new()
-    } else {
-        view.slot_targets()
-    };
+    let of_sliders = view.slot_targets();
     let unknown: Vec<&Setting> = unknown
         .into_iter()
         .filter(|(_, name)| !of_sliders.contains(&name.to_lowercase()))

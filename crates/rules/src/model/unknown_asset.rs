@@ -3,14 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{makehuman1, mpfb_asset, own, renamed_line};
+use super::{makehuman1, missing_file, mpfb_asset, own, renamed_line};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+    EXAMPLES, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped,
 };
 use mhlint_formats::mhm::WornLine;
+use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Asset, Base, SavedModel, View};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
 pub(crate) static RULE: Rule = Check::EachBase(
     run,
@@ -57,29 +57,16 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             .into_values()
             .filter_map(|lines| asset(&lines, &known, cx)),
     );
-    let files = own(view, base).flat_map(|saved| view.references.of_file(saved.file));
-    // The skeleton for poses, if it is missing, is reported by `base-missing-file`.
-    let is_told = |reference: &Reference<'_>| {
-        let mut named = base
-            .named
-            .iter()
-            .filter(|one| matches!(one.resolution, Resolution::Missing));
-        named.any(|one| one.rel == reference.rel)
-    };
-    let files = files.filter(|one| !is_told(one));
-    let missing =
-        files.filter(|one| one.base == base.name && matches!(one.resolution, Resolution::Missing));
-    let by_file = grouped(missing.map(|one| ((one.kind, one.rel.as_str()), one)));
-    out.extend(
-        by_file
-            .into_values()
-            .filter_map(|references| file(view, base, &references, cx)),
-    );
+    missing_file::faults(&RULE, view, base, cx, out);
 }
 
 /// What the rule knows about the assets of a base mesh.
 struct Known<'v> {
     by_uuid: BTreeMap<&'v str, &'v Asset<'v>>,
+    /// Their names by category.
+    names: Grouped<&'v str, &'v str>,
+    /// Models with the names of the assets that they have material lines for.
+    with_material: BTreeSet<(&'v str, &'v str)>,
     /// Possible names of assets whose name cannot be read, or which have two names after a merge.
     /// Other rules report why.
     unread: BTreeSet<&'v str>,
@@ -97,8 +84,17 @@ impl<'v> Known<'v> {
             worn().filter(|asset| asset.name.is_empty() || asset.file.encoding.is_unmerged());
         let names =
             |file: &'v FileFacts| [file.stem(), file.rel.rsplit('/').nth(1).unwrap_or_default()];
+        let by_uuid: BTreeMap<&str, &Asset<'_>> =
+            worn().map(|asset| (asset.uuid.as_str(), asset)).collect();
+        let named = by_uuid.values().map(|one| (one.category, &*one.name));
+        let materials = own(view, base).flat_map(|saved| {
+            let lines = saved.model.materials.iter();
+            lines.map(|line| (&*saved.file.path, &*line.name.text))
+        });
         Self {
-            by_uuid: worn().map(|asset| (asset.uuid.as_str(), asset)).collect(),
+            names: grouped(named),
+            with_material: materials.collect(),
+            by_uuid,
             unread: view
                 .worn_unread(base.name)
                 .chain(nameless.map(|asset| asset.file))
@@ -141,13 +137,10 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
         None => format!("no asset is named `{name}`{more}"),
     };
     let help = if let Some(asset) = renamed {
-        renamed_line(saved, line, asset)
+        let own = (saved.file.path.as_str(), &**name);
+        renamed_line(line, asset, known.with_material.contains(&own))
     } else {
-        let alike = known
-            .by_uuid
-            .values()
-            .filter(|asset| *asset.category == **category)
-            .map(|asset| &*asset.name);
+        let alike = known.names.get(&**category).into_iter().flatten().copied();
         let near = cx.suggestions.nearest(name, alike);
         did_you_mean(
             near,
@@ -172,71 +165,4 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
     Some(finding.parts_at(parts).evidence(Evidence::of_cases(
         lines.iter().map(|(saved, _)| saved.file.shown()),
     )))
-}
-
-fn file(
-    view: &View<'_>,
-    base: &Base<'_>,
-    references: &[&Reference<'_>],
-    cx: &RuleCx<'_>,
-) -> Option<Finding> {
-    let reference = references.first()?;
-    let (what, folder, suffix) = match reference.kind {
-        ReferenceKind::Skin => ("skin", "skins", ".mhmat"),
-        ReferenceKind::ModelSkeleton => ("skeleton", "rigs", ".mhskel"),
-        _ => return None,
-    };
-    let rel = format!("{folder}/{}", base.name);
-    let layers: Vec<_> = view.layers.strongest_first().collect();
-    let files: Vec<&FileFacts> = layers.iter().flat_map(|layer| layer.below(&rel)).collect();
-    let name = reference.text.rsplit('/').next().unwrap_or_default();
-    let same = files
-        .iter()
-        .find(|file| file.file_name() == name && file.rel.split('/').count() > 3);
-    let help = if let Some(file) = same.filter(|_| what == "skeleton") {
-        format!(
-            "move `{}` to `{rel}`: a model finds skeletons only there",
-            file.rel
-        )
-    } else {
-        let below = files
-            .iter()
-            .filter_map(|file| file.rel.strip_prefix(&rel)?.strip_prefix('/'));
-        let own = reference
-            .rel
-            .strip_prefix(&rel)
-            .unwrap_or(reference.text)
-            .trim_start_matches('/');
-        let near = cx
-            .suggestions
-            .nearest_file(own, below.filter(|below| below.ends_with(suffix)));
-        did_you_mean(
-            near,
-            format!("add the file to `{rel}`, or name one that exists"),
-        )
-    };
-    let more = if references.len() > 1 {
-        format!(" ({} models)", references.len())
-    } else {
-        String::new()
-    };
-    let message = format!("{what} `{}` does not exist{more}", reference.rel);
-    let mut finding = RULE
-        .at(reference.from, reference.place.clone(), message)
-        .key(reference.text)
-        .help(help);
-    for other in references.iter().skip(1).take(EXAMPLES - 1) {
-        finding = finding.related(other.from.path.clone(), other.place.clone(), "also here");
-    }
-    let parts = references
-        .iter()
-        .map(|one| (one.from.shown(), &one.from.path, one.place.clone()));
-    let finding = finding.parts_at(parts);
-    let finding = finding.evidence(Evidence::of_cases(
-        references.iter().map(|one| one.from.shown()),
-    ));
-    Some(finding.effect(match what {
-        "skin" => "silently shows the default skin",
-        _ => "silently loads the model without a skeleton",
-    }))
 }

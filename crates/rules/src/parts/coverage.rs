@@ -1,9 +1,9 @@
 //! An end of a setting that no part covers.
 
+use std::slice;
+
 use super::super::{Check, Rule, RuleCx};
-use super::stretch::{
-    THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole,
-};
+use super::stretch::{THESE_VALUES, checked, effect, level, shown, whole, without_dead};
 use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, pointer};
 use mhlint_eval::mpfb::cover::Hole;
 use mhlint_formats::macro_parts::Setting;
@@ -26,9 +26,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(parts) = checked(view) else { return };
     for setting in whole(parts) {
-        let ends = harmful(setting)
-            .into_iter()
-            .filter(|hole| !is_of_dead_part(setting, hole));
+        let ends = without_dead(setting).into_iter();
         out.extend(ends.filter_map(|end| finding(parts.file, setting, &end)));
     }
 }
@@ -68,7 +66,7 @@ fn finding(file: &FileFacts, setting: &Setting, hole: &Hole) -> Option<Finding> 
             (pointer(&["macrotargets", name, "parts"]), message, help, "")
         }
     };
-    let level = level(setting, [hole]);
+    let level = level(setting, slice::from_ref(hole));
     let finding = RULE
         .at(file, Place::Pointer(place), message)
         .level(level)

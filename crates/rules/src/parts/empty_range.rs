@@ -1,7 +1,7 @@
 //! A part that no value is in.
 
 use super::super::{Check, Rule, RuleCx};
-use super::stretch::{checked, dead, effect, harmful, level, shown, touches, whole};
+use super::stretch::{checked, dead, effect, harmful, level, shown, touched, whole};
 use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
 use mhlint_eval::mpfb::cover::Hole;
 use mhlint_formats::macro_parts::{Part, Setting};
@@ -59,8 +59,8 @@ fn finding(file: &FileFacts, setting: &Setting, part: &Part, holes: &[Hole]) -> 
         part.index,
         setting.name()
     );
-    let lost: Vec<&Hole> = holes.iter().filter(|hole| touches(part, hole)).collect();
-    let level = level(setting, lost.iter().copied());
+    let lost = holes.get(touched(part, holes)).unwrap_or_default();
+    let level = level(setting, lost);
     let finding = RULE
         .at(file, Place::Pointer(setting.pointer(part, member)), message)
         .level(level)
@@ -71,7 +71,7 @@ fn finding(file: &FileFacts, setting: &Setting, part: &Part, holes: &[Hole]) -> 
         name(&part.low),
         name(&part.high)
     ));
-    match lost.as_slice() {
+    match lost {
         [] => finding,
         [hole, ..] => finding.effect(effect(setting, level, &shown(hole))),
     }

@@ -1,9 +1,9 @@
 //! Values between two parts of a setting that neither of them covers.
 
+use std::slice;
+
 use super::super::{Check, Rule, RuleCx, counted};
-use super::stretch::{
-    THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole,
-};
+use super::stretch::{THESE_VALUES, checked, effect, level, shown, whole, without_dead};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_eval::mpfb::cover::{Hole, unreachable_near, values_in};
 use mhlint_formats::macro_parts::Setting;
@@ -27,9 +27,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(parts) = checked(view) else { return };
     for setting in whole(parts) {
-        let gaps = harmful(setting)
-            .into_iter()
-            .filter(|hole| !is_of_dead_part(setting, hole));
+        let gaps = without_dead(setting).into_iter();
         out.extend(gaps.filter_map(|gap| finding(parts.file, setting, &gap)));
     }
 }
@@ -61,7 +59,7 @@ fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
         setting.name(),
         counted(values, "slider value")
     );
-    let level = level(setting, [gap]);
+    let level = level(setting, slice::from_ref(gap));
     // With a name on one side only the gap belongs to what has no shape: what jumps is told as
     // that.
     if level == Level::Warning && before.high.is_none() != after.low.is_none() {

@@ -1,5 +1,7 @@
 //! Stretches of the settings that no part covers, and what MPFB drops there.
 
+use std::ops::Range;
+
 use super::super::enumerated;
 use mhlint_diag::Level;
 use mhlint_eval::mpfb::cover::{Hole, holes, is_live};
@@ -54,9 +56,25 @@ pub(super) fn harmful(setting: &Setting) -> Vec<Hole> {
         .collect()
 }
 
-/// Whether a hole is where a part lies that never matches: that part has a finding of its own.
-pub(super) fn is_of_dead_part(setting: &Setting, hole: &Hole) -> bool {
-    dead(setting).any(|part| touches(part, hole))
+/// The harmful holes where no part lies that never matches: such a part has a finding of its own.
+pub(super) fn without_dead(setting: &Setting) -> Vec<Hole> {
+    let holes = harmful(setting);
+    // How many of the parts begin at a hole, less those that ended before it.
+    let mut changes = vec![0_isize; holes.len() + 1];
+    for touched in dead(setting).map(|part| touched(part, &holes)) {
+        for (end, change) in [(touched.start, 1), (touched.end, -1)] {
+            if let Some(own) = changes.get_mut(end) {
+                *own += change;
+            }
+        }
+    }
+    let mut parts = 0;
+    let with_parts = holes.into_iter().zip(changes);
+    let free = with_parts.filter(|(_, change)| {
+        parts += change;
+        parts == 0
+    });
+    free.map(|(hole, _)| hole).collect()
 }
 
 /// The parts that never match.
@@ -67,18 +85,19 @@ pub(super) fn dead(setting: &Setting) -> impl Iterator<Item = &Part> {
         .filter(|part| !is_live((part.lowest, part.highest)))
 }
 
-pub(super) fn touches(part: &Part, hole: &Hole) -> bool {
+/// Which of the holes, which are in order, a part touches.
+pub(super) fn touched(part: &Part, holes: &[Hole]) -> Range<usize> {
     let (from, to) = (part.lowest.min(part.highest), part.lowest.max(part.highest));
     // Of one without numbers nobody can tell.
-    !(from > hole.to || to < hole.from)
+    let start = holes.partition_point(|hole| hole.to < from);
+    start..holes.partition_point(|hole| !(hole.from > to))
 }
 
-/// How bad holes are: without gender or age there is no shape at all, and at the default no
-/// character.
-pub(super) fn level<'h>(setting: &Setting, holes: impl IntoIterator<Item = &'h Hole>) -> Level {
-    let has_default = holes
-        .into_iter()
-        .any(|hole| hole.from <= DEFAULT && DEFAULT <= hole.to);
+/// How bad holes, which are in order, are: without gender or age there is no shape at all, and at
+/// the default no character.
+pub(super) fn level(setting: &Setting, holes: &[Hole]) -> Level {
+    let at_default = holes.get(holes.partition_point(|hole| hole.to < DEFAULT));
+    let has_default = at_default.is_some_and(|hole| hole.from <= DEFAULT);
     if has_default && [GENDER, AGE].contains(&setting.place) {
         Level::Error
     } else {

@@ -82,13 +82,13 @@ pub(super) fn lost_names<'p>(parts: &'p Parts<'_>) -> BTreeSet<(usize, &'p str)>
             }
         }
     }
-    let is_needed = |place: usize| {
-        there
-            .iter()
-            .any(|((other, _), is_there)| *other == place && *is_there)
-    };
+    let needed: BTreeSet<usize> = there
+        .iter()
+        .filter(|(_, is_there)| **is_there)
+        .map(|((place, _), _)| *place)
+        .collect();
     let lost = there
         .iter()
-        .filter(|((place, _), is_there)| !**is_there && is_needed(*place));
+        .filter(|((place, _), is_there)| !**is_there && needed.contains(place));
     lost.map(|(name, _)| *name).collect()
 }

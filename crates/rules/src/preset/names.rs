@@ -1,5 +1,7 @@
 //! Names in a saved character that lead to nothing.
 
+use std::collections::BTreeMap;
+
 use super::super::{RuleCx, did_you_mean, such};
 use mhlint_diag::{Cases, Evidence, Level, steps};
 use mhlint_formats::human_preset::HumanPreset;
@@ -50,15 +52,52 @@ const SORTS: [(&str, &str, Level, &str); 4] = [
     ),
 ];
 
+/// What saved characters are looked up in, made once for all of them.
+pub(super) struct Known {
+    /// Whether saved characters are alone, without the user's data.
+    has_no_data: bool,
+    /// The names of the rigs of MPFB.
+    rigs: Vec<String>,
+    /// The same by their small letters.
+    by_small_letters: BTreeMap<String, String>,
+}
+
+impl Known {
+    pub(super) fn of(view: &View<'_>) -> Self {
+        let files = view
+            .layers
+            .system
+            .into_iter()
+            .flat_map(|layer| layer.below("rigs/standard"));
+        let stem = |file: &str| Some(file.strip_prefix("rig.")?.strip_suffix(".json")?.to_owned());
+        let rigs: Vec<String> = files.filter_map(|file| stem(file.file_name())).collect();
+        let mut by_small_letters = BTreeMap::new();
+        for rig in &rigs {
+            let small = rig.to_ascii_lowercase();
+            by_small_letters.entry(small).or_insert_with(|| rig.clone());
+        }
+        Self {
+            has_no_data: view.layers.checked.files.values().all(|file| file.is_loose),
+            rigs,
+            by_small_letters,
+        }
+    }
+}
+
 /// All names that lead to nothing: one finding for those of one sort.
-pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Vec<Named> {
+pub(super) fn named(
+    view: &View<'_>,
+    known: &Known,
+    preset: &HumanPreset,
+    cx: &RuleCx<'_>,
+) -> Vec<Named> {
     let mut all = Vec::new();
     all.extend(targets(view, preset, cx));
     all.extend(ambiguous(view, preset));
     let rig = preset
         .rig
         .as_ref()
-        .and_then(|rig| Some((rig, unknown_rig(view, rig, cx)?)));
+        .and_then(|rig| Some((rig, unknown_rig(view, known, rig, cx)?)));
     let is_own_rig = |rig: &NamedAt| rig.name.starts_with(OWN_RIG);
     let (own, others) = rig
         .into_iter()
@@ -88,7 +127,7 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
             }
         }));
     }
-    if has_no_data(view) {
+    if known.has_no_data {
         all.iter_mut()
             .for_each(|one| (one.level, one.effect) = (Level::Info, UNLESS_USERS));
     }
@@ -103,11 +142,6 @@ const OWN_RIG: &str = "custom.";
 /// What names lead to that may be in data of the user that are not at hand.
 const UNLESS_USERS: &str =
     "leaves it out, unless it is in the data of the user, which are not checked here";
-
-/// Whether saved characters are alone, without the user's data.
-fn has_no_data(view: &View<'_>) -> bool {
-    view.layers.checked.files.values().all(|file| file.is_loose)
-}
 
 fn targets(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Option<Named> {
     let is_missing = |one: &&NamedAt| matches!(view.targets.find(&one.name), NamedTarget::Missing);
@@ -210,7 +244,7 @@ fn files<'p>(
 }
 
 /// A rig of MPFB, or one of the user.
-fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named> {
+fn unknown_rig(view: &View<'_>, known: &Known, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named> {
     let name = rig.name.as_str();
     let custom = name.strip_prefix(OWN_RIG);
     let layers = view.layers;
@@ -234,27 +268,15 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
                 .is_some(),
         },
     };
-    let of_system = || {
-        layers
-            .system
-            .into_iter()
-            .flat_map(|layer| layer.below("rigs/standard"))
-    };
-    let stem = |file: &str| Some(file.strip_prefix("rig.")?.strip_suffix(".json")?.to_owned());
-    let mut rigs = of_system()
-        .filter_map(|file| stem(file.file_name()))
-        .peekable();
     // A part of the data without any rig says nothing.
-    if is_known || custom.is_none() && rigs.peek().is_none() {
+    if is_known || custom.is_none() && known.rigs.is_empty() {
         return None;
     }
-    let rigs: Vec<String> = rigs.collect();
-    let near = rigs
-        .iter()
-        .find(|other| other.eq_ignore_ascii_case(&name.replace('-', "_")));
-    let near = near.map(String::as_str).or_else(|| {
+    let small = name.replace('-', "_").to_ascii_lowercase();
+    let near = known.by_small_letters.get(&small).map(String::as_str);
+    let near = near.or_else(|| {
         cx.suggestions
-            .nearest(name, rigs.iter().map(String::as_str))
+            .nearest(name, known.rigs.iter().map(String::as_str))
     });
     Some(Named {
         at: rig.pointer.clone(),

@@ -3,7 +3,7 @@
 use super::super::cause::consequence::NO_PART;
 use super::super::unfit::{findings, is_misspelt, top};
 use super::super::{Check, Rule, RuleCx};
-use super::names::{NO_RIG, Named, named};
+use super::names::{Known, NO_RIG, Named, named};
 use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, steps};
 use mhlint_discover::Kind;
 use mhlint_formats::human_preset::HumanPreset;
@@ -25,6 +25,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let known = Known::of(view);
     for file in view.own(Kind::HumanPreset) {
         let Some(preset) = file.human_preset() else {
             continue;
@@ -47,7 +48,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .effect("silently ignores the key and what it holds")
         }));
         if view.is_complete() {
-            out.extend(unknown(view, file, preset, cx));
+            out.extend(unknown(view, &known, file, preset, cx));
         }
     }
 }
@@ -86,11 +87,12 @@ fn passed_over(view: &View<'_>, first: &Unfit, finding: Finding) -> Finding {
 /// Findings on names that lead nowhere.
 fn unknown(
     view: &View<'_>,
+    known: &Known,
     file: &FileFacts,
     preset: &HumanPreset,
     cx: &RuleCx<'_>,
 ) -> Vec<Finding> {
-    named(view, preset, cx)
+    named(view, known, preset, cx)
         .into_iter()
         .map(
             |Named {

@@ -1,12 +1,13 @@
 //! What `makehuman2_version.json` names must exist.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{mpfb_content, version_keys};
 use mhlint_diag::{
     Application::{Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo, nearest,
 };
-use mhlint_formats::program::Version;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -33,11 +34,12 @@ fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding
     let Some(version) = file.version() else {
         return;
     };
+    let keys: BTreeSet<&str> = version.keys.iter().map(String::as_str).collect();
     out.extend(
         version
             .support
             .iter()
-            .filter_map(|(label, key)| support(file, version, label, key)),
+            .filter_map(|(label, key)| support(file, &keys, label, key, cx)),
     );
     out.extend(version_keys::missing(&RULE, file, version, cx));
     out.extend(
@@ -48,18 +50,20 @@ fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding
     );
 }
 
-fn support(file: &FileFacts, version: &Version, label: &str, key: &str) -> Option<Finding> {
-    if version.keys.iter().any(|known| known == key) {
+fn support(
+    file: &FileFacts,
+    keys: &BTreeSet<&str>,
+    label: &str,
+    key: &str,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
+    if keys.contains(key) {
         return None;
     }
-    let near = nearest(
-        key,
-        version
-            .keys
-            .iter()
-            .map(String::as_str)
-            .filter(|key| key.starts_with("url_")),
-    );
+    let addresses = keys
+        .iter()
+        .map(|key| key.starts_with("url_").then_some(*key));
+    let near = cx.suggestions.nearest_of_wanted(key, addresses);
     let message = format!("`{key}` of `{label}` is not a key of this file");
     let finding = RULE
         .at(file, Place::pointer(["support_urls", label]), message)

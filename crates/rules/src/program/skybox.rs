@@ -39,6 +39,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         own.filter(|(_, name)| is_absent(name))
             .map(|(file, name)| absent(file, name)),
     );
+    let system = layers.system.filter(|_| !layers.checks_system());
+    let shipped = system.map(|system| boxes(system, None));
     for (name, sides) in boxes(layers.checked, None) {
         let is_first = at_start.is_some_and(|(_, first)| first == name);
         let shown = match known {
@@ -47,18 +49,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => Shown::Perhaps,
         };
         faults(&RULE, name, &sides, shown, out);
-        let hides = layers
-            .system
-            .filter(|_| !layers.checks_system())
-            .map(|system| boxes(system, Some(name)));
+        let hides = shipped
+            .as_ref()
+            .is_some_and(|shipped| shipped.contains_key(name));
         let named_in = own.filter(|_| is_first).map(|(file, _)| file);
-        out.extend(lacking(
-            layers.checked,
-            name,
-            &sides,
-            named_in,
-            hides.is_some_and(|hidden| !hidden.is_empty()),
-        ));
+        out.extend(lacking(layers.checked, name, &sides, named_in, hides));
     }
 }
 

@@ -6,13 +6,13 @@ use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
 use mhlint_diag::{
-    Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest,
+    Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, grouped, nearest,
 };
 use mhlint_discover::{Kind, archive_library_of, extension, library_extension, library_of};
 use mhlint_formats::mhm::CATEGORIES;
 use mhlint_formats::mhm::lines::Line;
 use mhlint_repo::makehuman1::{SavedModel, View, uuid_of};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, Worn};
+use mhlint_repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution, Worn};
 
 pub(in super::super) fn faults(
     rule: &Rule,
@@ -34,7 +34,7 @@ pub(in super::super) fn faults(
     out.extend(
         by_asset
             .into_values()
-            .filter_map(|lines| unknown(rule, view, &known, &lines, cx)),
+            .filter_map(|lines| unknown(rule, &known, &lines, cx)),
     );
     let missing = own(view).flat_map(|model| view.references.of_file(model.file));
     let missing: Vec<&Reference<'_>> = missing.collect();
@@ -42,16 +42,17 @@ pub(in super::super) fn faults(
     let missing = missing
         .into_iter()
         .filter(|one| matches!(one.resolution, Resolution::Missing));
+    let files = Files::of(view);
     // The first skin, which the program itself needs, and files that exist but are not listed are
     // reported by other rules.
     let missing = missing.filter(|one| {
-        one.text.trim_start_matches("data/") != FIRST_SKIN && !is_unlisted_file(view, one)
+        one.text.trim_start_matches("data/") != FIRST_SKIN && !files.has_unlisted(one)
     });
     let by_file = grouped(missing.map(|one| ((one.kind, one.text), one)));
     out.extend(
         by_file
             .into_values()
-            .filter_map(|references| file(rule, view, &references, cx)),
+            .filter_map(|references| file(rule, &files, &references, cx)),
     );
 }
 
@@ -62,13 +63,6 @@ fn library(category: &str) -> &str {
     } else {
         category
     }
-}
-
-/// The assets in the library of a category.
-fn listed<'v, 'a>(view: &'v View<'a>, category: &str) -> impl Iterator<Item = &'v Worn<'a>> {
-    view.worn()
-        .iter()
-        .filter(move |worn| shelf(worn) == Some(library(category)))
 }
 
 /// The library that lists an asset, or that lists its packed copy if there is no text file.
@@ -106,6 +100,8 @@ struct Known<'v> {
     unlisted: BTreeSet<String>,
     /// For each library and name the uuid of the first asset with that name.
     by_name: BTreeMap<(&'v str, &'v str), Option<&'v str>>,
+    /// Names of the assets of each library.
+    of_library: Grouped<&'v str, &'v str>,
     /// For each uuid how many assets have it, and the library of the first.
     by_uuid: BTreeMap<&'v str, (usize, Option<&'v str>)>,
 }
@@ -140,6 +136,8 @@ impl<'v> Known<'v> {
                 by_uuid.entry(uuid).or_insert((0, shelf)).0 += 1;
             }
         }
+        let of_library = view.worn().iter();
+        let of_library = of_library.filter_map(|worn| Some((shelf(worn)?, name_of(worn)?)));
         let worn: BTreeSet<&str> = view
             .worn()
             .iter()
@@ -157,6 +155,7 @@ impl<'v> Known<'v> {
             unread,
             unlisted,
             by_name,
+            of_library: grouped(of_library),
             by_uuid,
         }
     }
@@ -185,61 +184,78 @@ impl<'v> Known<'v> {
     }
 }
 
-/// Whether the file that a model names exists but is not listed. A material is in no list and may
-/// lie anywhere.
-fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
-    if reference.kind == ReferenceKind::Skin {
-        return view.layers.strongest_first().any(|layer| {
-            layer
-                .files
-                .values()
-                .any(|file| is_in_misspelt(file, reference))
-        });
-    }
-    let name = reference.text.rsplit('/').next().unwrap_or_default();
-    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    let suffix = extension(name);
-    view.layers.strongest_first().any(|layer| {
-        layer
-            .files
-            .values()
-            .filter(|file| file.stem() == stem && library_of(&file.rel).is_none())
-            .any(|file| {
-                let is_whole = extension(&file.rel) == suffix;
-                let is_pictured = || {
-                    layer
-                        .file(&format!(
-                            "{}.thumb",
-                            file.rel
-                                .trim_end_matches(extension(&file.rel))
-                                .trim_end_matches('.')
-                        ))
-                        .is_some()
-                };
-                let is_old = || extension(&file.rel) == "mhupb";
-                is_whole
-                    || (is_old() || is_pictured())
-                        && !matches!(file.kind, Kind::Image | Kind::MotionMeta)
-            })
-    })
+/// The files that models may mean, since there may be thousands of files and of models.
+struct Files<'v> {
+    /// Their paths, strongest first, by the folder at the top.
+    of_library: Grouped<&'v str, &'v str>,
+    /// The first file of each name in a folder.
+    by_name: BTreeMap<&'v str, &'v FileFacts>,
+    /// Stems and extensions of those that are in no list.
+    unlisted: BTreeSet<(&'v str, &'v str)>,
+    /// Stems of those in no list that are taken for another sort of the same: pictured, or old.
+    alike: BTreeSet<&'v str>,
+    /// Paths in folders with a misspelt name that is meant for `skins`.
+    of_misspelt: BTreeSet<&'v str>,
 }
 
-/// Whether a file is the skin that a model names, but lies in a folder with a misspelt name, which
-/// another rule reports.
-fn is_in_misspelt(file: &FileFacts, reference: &Reference<'_>) -> bool {
-    let Some((top, rest)) = file.rel.split_once('/') else {
-        return false;
+impl<'v> Files<'v> {
+    fn of(view: &'v View<'_>) -> Self {
+        let (mut of_library, mut by_name) = (Vec::new(), BTreeMap::new());
+        let (mut unlisted, mut alike) = (BTreeSet::new(), BTreeSet::new());
+        let mut of_misspelt = BTreeSet::new();
+        let layers = view.layers.strongest_first();
+        for (layer, file) in
+            layers.flat_map(|layer| layer.files.values().map(move |file| (layer, file)))
+        {
+            if let Some((top, rest)) = file.rel.split_once('/') {
+                of_library.push((top, file.rel.as_str()));
+                by_name.entry(file.file_name()).or_insert(file);
+                if library_extension(top).is_none() && nearest(top, ["skins"]).is_some() {
+                    of_misspelt.insert(rest);
+                }
+            }
+            if library_of(&file.rel).is_none() {
+                unlisted.insert((file.stem(), extension(&file.rel)));
+                if is_alike(layer, file) {
+                    alike.insert(file.stem());
+                }
+            }
+        }
+        Self {
+            of_library: grouped(of_library),
+            by_name,
+            unlisted,
+            alike,
+            of_misspelt,
+        }
+    }
+
+    /// Whether the file that a model names exists but is not listed. A material is in no list and
+    /// may lie anywhere, but for one in a folder with a misspelt name, which another rule reports.
+    fn has_unlisted(&self, reference: &Reference<'_>) -> bool {
+        if reference.kind == ReferenceKind::Skin {
+            let text = reference.text.trim_start_matches("data/");
+            let meant = text.strip_prefix("skins/");
+            return meant.is_some_and(|meant| self.of_misspelt.contains(meant));
+        }
+        let name = reference.text.rsplit('/').next().unwrap_or_default();
+        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+        self.unlisted.contains(&(stem, extension(name))) || self.alike.contains(stem)
+    }
+}
+
+/// Whether a file that is in no list is old, or has a picture as those in lists have.
+fn is_alike(layer: &Layer, file: &FileFacts) -> bool {
+    let end = extension(&file.rel);
+    let is_pictured = || {
+        let stem = file.rel.trim_end_matches(end).trim_end_matches('.');
+        layer.file(&format!("{stem}.thumb")).is_some()
     };
-    let meant = reference
-        .text
-        .trim_start_matches("data/")
-        .strip_prefix("skins/");
-    library_extension(top).is_none() && nearest(top, ["skins"]).is_some() && meant == Some(rest)
+    (end == "mhupb" || is_pictured()) && !matches!(file.kind, Kind::Image | Kind::MotionMeta)
 }
 
 fn unknown(
     rule: &Rule,
-    view: &View<'_>,
     known: &Known<'_>,
     lines: &[(&SavedModel<'_>, &Line)],
     cx: &RuleCx<'_>,
@@ -290,9 +306,10 @@ fn unknown(
             )
         }
         (None, None) => {
-            let near = cx
-                .suggestions
-                .nearest(name, listed(view, category).filter_map(name_of));
+            let near = cx.suggestions.nearest(
+                name,
+                known.of_library.get(own).into_iter().flatten().copied(),
+            );
             let otherwise = "add the asset, or check it together with the pack that has it; \
                 otherwise remove the line";
             (
@@ -355,7 +372,7 @@ fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
 /// A finding on a file that models name and that does not exist.
 fn file(
     rule: &Rule,
-    view: &View<'_>,
+    files: &Files<'_>,
     references: &[&Reference<'_>],
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
@@ -387,32 +404,17 @@ fn file(
         ),
         _ => return None,
     };
-    let files: Vec<&FileFacts> = view
-        .layers
-        .strongest_first()
-        .flat_map(|layer| layer.below(folder))
-        .collect();
-    let written = |file: &FileFacts| match reference.kind {
-        ReferenceKind::Skin => Some(file.rel.clone()),
-        _ => Some(file.rel.strip_prefix(folder)?.strip_prefix('/')?.to_owned()),
-    };
-    let names: Vec<String> = files
-        .iter()
-        .filter(|file| file.rel.ends_with(suffix))
-        .filter_map(|file| written(file))
-        .collect();
-    let near = cx
-        .suggestions
-        .nearest_file(reference.text, names.iter().map(String::as_str));
-    let elsewhere = || {
-        let name = format!("/{}", reference.text.rsplit('/').next()?);
-        let is_same =
-            |file: &&FileFacts| reference.kind == ReferenceKind::Skin && file.rel.ends_with(&name);
-        view.layers
-            .strongest_first()
-            .find_map(|layer| layer.files.values().find(is_same))
-    };
-    let help = match elsewhere().filter(|_| near.is_none()) {
+    let is_skin = reference.kind == ReferenceKind::Skin;
+    // A skin is named with its folder.
+    let start = if is_skin { 0 } else { folder.len() + 1 };
+    let below = files.of_library.get(folder).into_iter().flatten();
+    let names = below
+        .filter(|rel| rel.ends_with(suffix))
+        .filter_map(|rel| rel.get(start..));
+    let near = cx.suggestions.nearest_file(reference.text, names);
+    let name = reference.text.rsplit('/').next().unwrap_or_default();
+    let elsewhere = files.by_name.get(name).filter(|_| is_skin);
+    let help = match elsewhere.filter(|_| near.is_none()) {
         Some(file) => format!(
             "move `{}` with its pictures to `{folder}`, or name one that exists",
             file.rel

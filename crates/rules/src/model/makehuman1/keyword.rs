@@ -1,6 +1,6 @@
 //! Each line of a model begins with a word that the program knows.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::super::unparted::of_line;
@@ -25,6 +25,11 @@ pub(in super::super) fn faults(
     for word in keywords() {
         known.insert(word);
     }
+    let mut by_small_letters: BTreeMap<String, &str> = BTreeMap::new();
+    for word in &known {
+        let small = word.to_ascii_lowercase();
+        by_small_letters.entry(small).or_insert(word);
+    }
     for model in current(view) {
         // Not reported here: a remark without a blank behind its `#`, for which nothing is lost,
         // and a word behind a byte order mark, which `file-byte-order-mark` reports.
@@ -42,10 +47,7 @@ pub(in super::super) fn faults(
             such(unknown.len(), "lines")
         );
         let unparted = of_line(first).map(|one| one.help());
-        let same = known
-            .iter()
-            .find(|known| known.eq_ignore_ascii_case(word))
-            .copied();
+        let same = by_small_letters.get(&word.to_ascii_lowercase()).copied();
         let near = same.or_else(|| cx.suggestions.nearest(word, known.iter().copied()));
         let finding = rule
             .at(model.file, Place::Span(first.keyword.span.clone()), message)

@@ -16,6 +16,7 @@ pub(in super::super) fn faults(
     out: &mut Vec<Finding>,
 ) {
     let shared = shared_uuids(view);
+    let mut offered: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for model in own(view) {
         out.extend(astray(rule, model));
         if view.layers.system.is_none() {
@@ -38,7 +39,13 @@ pub(in super::super) fn faults(
         let missing = named.filter(|one| {
             matches!(one.resolution, Resolution::Missing) && !unsure.contains(one.text)
         });
-        out.extend(missing.map(|one| unfound(rule, view, one, cx)));
+        for one in missing {
+            let folder = parent(&one.rel);
+            let names = offered
+                .entry(folder)
+                .or_insert_with(|| materials_below(view, folder));
+            out.push(unfound(rule, one, names, cx));
+        }
     }
 }
 
@@ -112,17 +119,18 @@ fn at_word(rule: &Rule, model: &SavedModel<'_>, word: &Word, message: String) ->
     rule.at(model.file, Place::Span(word.span.clone()), message)
 }
 
-fn unfound(rule: &Rule, view: &View<'_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Finding {
-    let folder = parent(&reference.rel);
-    let files: Vec<&FileFacts> = view
-        .layers
-        .strongest_first()
-        .flat_map(|layer| layer.below(folder))
-        .collect();
-    let names = files.iter().filter(|file| file.rel.ends_with(".mhmat"));
+/// The names of the materials below a folder.
+fn materials_below<'v>(view: &View<'v>, folder: &str) -> Vec<&'v str> {
+    let layers = view.layers.strongest_first();
+    let files = layers.flat_map(|layer| layer.below(folder));
+    let materials = files.filter(|file| file.rel.ends_with(".mhmat"));
+    materials.map(FileFacts::file_name).collect()
+}
+
+fn unfound(rule: &Rule, reference: &Reference<'_>, names: &[&str], cx: &RuleCx<'_>) -> Finding {
     let near = cx
         .suggestions
-        .nearest_file(reference.text, names.map(|file| file.file_name()));
+        .nearest_file(reference.text, names.iter().copied());
     let message = format!(
         "material `{}` of `{}` does not exist",
         reference.text, reference.owner
