@@ -21,6 +21,8 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 const COMPARED: usize = 1 << 23;
 /// What a candidate costs beside its letters: the count of its letters is compared.
 const COST_OF_CANDIDATE: usize = LETTERS;
+/// What it costs to look whether something is a candidate.
+const COST_OF_LOOK: usize = 16;
 /// What it costs to compare two letters, where a candidate is measured.
 const COST_OF_PAIR: usize = 16;
 
@@ -34,6 +36,17 @@ impl Suggestions {
     /// Whether too much was compared for another suggestion.
     pub const fn are_over(&self) -> bool {
         self.compared.get() > COMPARED
+    }
+
+    /// Candidates of which some are left out before they are compared. Looking at them counts, too.
+    pub fn looked_through<'s, T, I>(&'s self, all: I) -> impl Iterator<Item = T> + use<'s, T, I>
+    where
+        I: IntoIterator<Item = T>,
+    {
+        all.into_iter().take_while(|_| {
+            self.compared.set(self.compared.get() + COST_OF_LOOK);
+            !self.are_over()
+        })
     }
 
     /// As [`nearest`]; nothing more when too much was compared before.
@@ -122,6 +135,7 @@ impl Suggestions {
             }
         }
         best.map(|(_, candidate)| candidate)
+            .filter(|_| !self.are_over())
     }
 }
 

@@ -41,6 +41,8 @@ impl MacroFile {
             .iter()
             .map(|macrodef| macrodef.components.len() + macrodef.links.len())
             .sum();
+        // A definition without names is looked at all the same.
+        let names = names.max(macrodefs.len());
         let compared = names.saturating_mul(components.len() + macrodefs.len());
         let is_too_large = compared > MOST_COMPARED
             || combinations(&components, &macrodefs) > MOST_COMBINATIONS

@@ -138,8 +138,9 @@ fn not_offered(
         .of_base(base.name)
         .iter()
         .filter(|asset| asset.is_worn());
+    let offered: BTreeSet<&str> = offered.iter().map(String::as_str).collect();
     let lost: Vec<&Asset<'_>> = assets
-        .filter(|asset| !offered.iter().any(|name| name == asset.category))
+        .filter(|asset| !offered.contains(asset.category))
         .collect();
     let kinds: BTreeSet<&str> = lost.iter().map(|asset| asset.category).collect();
     let Some(first) = kinds.first() else { return };

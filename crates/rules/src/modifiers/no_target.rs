@@ -56,7 +56,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .iter()
             .any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
     };
-    let spellings = Spellings::of(view);
+    let (spellings, present) = (Spellings::of(view), categories(view));
     let others = view
         .modifiers
         .all
@@ -64,7 +64,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(|one| bare.get(one.modifier.group.as_str()).is_none());
     for one in others.filter(|one| !is_hidden(one)) {
         match &one.modifier.variable {
-            Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
+            Some(variable) => out.extend(macro_finding(&present, one, &variable.name)),
             None if one.modifier.tails.unpaired().is_none() => {
                 out.extend(finding(view, one, &meant, &spellings, cx));
             }
@@ -133,17 +133,34 @@ fn group_finding(starts: &Starts, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -
     })
 }
 
-fn macro_finding(view: &View<'_>, one: &KnownModifier<'_>, variable: &str) -> Option<Finding> {
-    let category = category(variable)?;
-    let targets = one
-        .parts
+/// The categories that the targets of groups of macros depend on, each with its group.
+fn categories<'v>(view: &'v View<'_>) -> BTreeSet<(&'v str, &'static str)> {
+    let macros = view
+        .modifiers
+        .all
         .iter()
-        .flat_map(|part| &part.targets)
-        .filter_map(|place| view.targets.at(*place));
-    let depends = targets
-        .into_iter()
-        .any(|target| target.name.value(category).is_some());
-    if depends {
+        .filter(|one| one.modifier.variable.is_some());
+    let groups = macros
+        .flat_map(|one| &one.parts)
+        .map(|part| part.group.as_str());
+    let groups: BTreeSet<&str> = groups.collect();
+    let targets = groups.into_iter().flat_map(|group| {
+        let places = view.targets.of_group(group).iter();
+        places.filter_map(move |place| Some((group, view.targets.at(*place)?)))
+    });
+    targets
+        .flat_map(|(group, target)| target.name.categories().map(move |(own, _)| (group, own)))
+        .collect()
+}
+
+fn macro_finding(
+    present: &BTreeSet<(&str, &str)>,
+    one: &KnownModifier<'_>,
+    variable: &str,
+) -> Option<Finding> {
+    let category = category(variable)?;
+    let mut groups = one.parts.iter().map(|part| part.group.as_str());
+    if groups.any(|group| present.contains(&(group, category))) {
         return None;
     }
     let message = format!(

@@ -91,10 +91,13 @@ pub(super) struct Starts {
     folded: BTreeMap<String, BTreeSet<String>>,
 }
 
+/// Words of a group for which others are looked for that begin like it.
+const MOST_WORDS: usize = 32;
+
 impl Starts {
     pub(super) fn of(view: &View<'_>, words: usize) -> Self {
         let mut folded: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        for group in view.targets.groups() {
+        for group in view.targets.groups().filter(|_| words <= MOST_WORDS) {
             let start = group.split('-').take(words).collect::<Vec<_>>().join("-");
             folded
                 .entry(start.to_ascii_lowercase())

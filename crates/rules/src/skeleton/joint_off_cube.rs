@@ -48,8 +48,13 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .enumerate()
         .flat_map(|(cube, (_, all))| all.iter().map(move |vertex| (*vertex, cube)))
         .collect();
+    let of_joints = cubes
+        .iter()
+        .filter_map(|(name, _)| name.strip_prefix("joint-"));
+    let of_joints: BTreeSet<&str> = of_joints.collect();
     for rig in rigs(body) {
-        out.extend(exchanged(rig.file, &rig.skeleton.joints, &cubes, &cube_of));
+        let joints = &rig.skeleton.joints;
+        out.extend(exchanged(rig.file, joints, (&cubes, &of_joints), &cube_of));
         let joints = rig.skeleton.joints.iter();
         let off: Vec<OffCube<'_>> = joints
             .filter_map(|joint| off_cube(joint, &cubes, &cube_of, count))
@@ -90,7 +95,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn exchanged(
     file: &FileFacts,
     joints: &[Joint],
-    cubes: &[(String, Vec<u32>)],
+    (cubes, of_joints): (&[(String, Vec<u32>)], &BTreeSet<&str>),
     cube_of: &BTreeMap<u32, usize>,
 ) -> Option<Finding> {
     let named = |cube: usize| {
@@ -111,8 +116,7 @@ fn exchanged(
         .iter()
         .filter_map(|one| Some((one.name.as_str(), whole(one)?)))
         .collect();
-    let cubes_by_name: BTreeSet<&str> = (0..cubes.len()).filter_map(named).collect();
-    let has_cube = |joint: &str| cubes_by_name.contains(joint);
+    let has_cube = |joint: &str| of_joints.contains(joint);
     let strays = |joint: &str| lists.get(joint).is_some_and(|other| *other != joint);
     let exchanged = lists
         .iter()
