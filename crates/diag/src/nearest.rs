@@ -39,7 +39,7 @@ impl Suggestions {
     }
 
     /// Candidates of which some are left out before they are compared. Looking at them counts, too.
-    pub fn looked_through<'s, T, I>(&'s self, all: I) -> impl Iterator<Item = T> + use<'s, T, I>
+    pub fn looked_through<T, I>(&self, all: I) -> impl Iterator<Item = T> + use<'_, T, I>
     where
         I: IntoIterator<Item = T>,
     {
