@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::{Meant, meant_groups};
-use super::spellings::{Spellings, Starts, help};
+use super::spellings::{Spellings, Starts, categories, help};
 use super::{LOST_FILE, LOST_TABS};
 use mhlint_diag::{
     Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped,
@@ -131,26 +131,6 @@ fn group_finding(starts: &Starts, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -
     } else {
         finding
     })
-}
-
-/// The categories that the targets of groups of macros depend on, each with its group.
-fn categories<'v>(view: &'v View<'_>) -> BTreeSet<(&'v str, &'static str)> {
-    let macros = view
-        .modifiers
-        .all
-        .iter()
-        .filter(|one| one.modifier.variable.is_some());
-    let groups = macros
-        .flat_map(|one| &one.parts)
-        .map(|part| part.group.as_str());
-    let groups: BTreeSet<&str> = groups.collect();
-    let targets = groups.into_iter().flat_map(|group| {
-        let places = view.targets.of_group(group).iter();
-        places.filter_map(move |place| Some((group, view.targets.at(*place)?)))
-    });
-    targets
-        .flat_map(|(group, target)| target.name.categories().map(move |(own, _)| (group, own)))
-        .collect()
 }
 
 fn macro_finding(
