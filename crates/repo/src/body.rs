@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::landmarks::{Landmarks, Region, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
@@ -141,7 +141,7 @@ pub struct StoredBones<'v> {
     /// The rig.
     pub rig: &'v FileFacts,
     /// The bones of that.
-    pub known: BTreeSet<&'v str>,
+    pub known: Arc<BTreeSet<&'v str>>,
 }
 
 /// The units of poses, or those of expressions.
