@@ -21,6 +21,8 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 const COMPARED: usize = 1 << 23;
 /// What a candidate costs beside its letters: the count of its letters is compared.
 const COST_OF_CANDIDATE: usize = LETTERS;
+/// What it costs to look whether something is a candidate.
+const COST_OF_LOOK: usize = 16;
 /// What it costs to compare two letters, where a candidate is measured.
 const COST_OF_PAIR: usize = 16;
 
@@ -36,21 +38,22 @@ impl Suggestions {
         self.compared.get() > COMPARED
     }
 
+    /// Candidates of which some are left out before they are compared. Looking at them counts, too.
+    pub fn looked_through<T, I>(&self, all: I) -> impl Iterator<Item = T> + use<'_, T, I>
+    where
+        I: IntoIterator<Item = T>,
+    {
+        all.into_iter().take_while(|_| {
+            self.compared.set(self.compared.get() + COST_OF_LOOK);
+            !self.are_over()
+        })
+    }
+
     /// As [`nearest`]; nothing more when too much was compared before.
     pub fn nearest<'a>(
         &self,
         name: &str,
         candidates: impl IntoIterator<Item = &'a str>,
-    ) -> Option<&'a str> {
-        self.nearest_of_wanted(name, candidates.into_iter().map(Some))
-    }
-
-    /// As [`nearest`](Self::nearest) where not every candidate is wanted: what is left out counts
-    /// as well, as a filter in front of the search would not.
-    pub fn nearest_of_wanted<'a>(
-        &self,
-        name: &str,
-        candidates: impl IntoIterator<Item = Option<&'a str>>,
     ) -> Option<&'a str> {
         self.best(name, candidates, |_| (None, 0))
     }
@@ -62,7 +65,7 @@ impl Suggestions {
         name: &str,
         candidates: impl IntoIterator<Item = &'a str>,
     ) -> Option<&'a str> {
-        self.nearest_of_wanted(name, of_kind(name, candidates))
+        self.nearest(name, self.of_kind(name, candidates))
     }
 
     /// The same for files, named with or without folders: one that has all words of `name`, or only
@@ -76,7 +79,7 @@ impl Suggestions {
         let words = words_of_file(name);
         // Longer ones are not names of files.
         let is_short = name.len() <= LONGEST_PATH;
-        self.best(name, of_kind(name, candidates), |candidate| {
+        self.best(name, self.of_kind(name, candidates), |candidate| {
             let other = words_of_file(candidate);
             let cost = candidate.len() + words.len() * other.len();
             // Of another kind it is another file, not another name.
@@ -88,12 +91,22 @@ impl Suggestions {
         })
     }
 
-    /// The best candidate; `None` is one that was left out. `between` says how many words a
-    /// candidate has more or less, if that is all, and what it cost.
+    /// The candidates that end as a name does.
+    fn of_kind<'a>(
+        &self,
+        name: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> impl Iterator<Item = &'a str> {
+        self.looked_through(candidates)
+            .filter(move |candidate| is_of_kind(name, candidate))
+    }
+
+    /// The best candidate. `between` says how many words a candidate has more or less, if that is
+    /// all, and what it cost.
     fn best<'a>(
         &self,
         name: &str,
-        candidates: impl IntoIterator<Item = Option<&'a str>>,
+        candidates: impl IntoIterator<Item = &'a str>,
         between: impl Fn(&'a str) -> (Option<usize>, usize),
     ) -> Option<&'a str> {
         // Longer ones are no names.
@@ -103,13 +116,9 @@ impl Suggestions {
         let sought = Sought::new(name);
         let mut best: Option<(Rank, &str)> = None;
         for candidate in candidates {
-            if self.compared.get() > COMPARED {
+            if self.are_over() {
                 return None;
             }
-            let Some(candidate) = candidate else {
-                self.compared.set(self.compared.get() + COST_OF_CANDIDATE);
-                continue;
-            };
             // Nothing farther than the best so far is worth measuring.
             let limit = best.map_or(sought.limit, |(rank, _)| rank.limit());
             let (distance, cost) = sought.distance(candidate, limit);
@@ -128,6 +137,7 @@ impl Suggestions {
             }
         }
         best.map(|(_, candidate)| candidate)
+            .filter(|_| !self.are_over())
     }
 }
 
@@ -171,16 +181,6 @@ fn words_of_file(name: &str) -> Vec<&str> {
 fn suffix(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or_default();
     name.split_once('.').map_or("", |(_, suffix)| suffix)
-}
-
-/// The candidates of the kind of `name`, in place of others nothing.
-fn of_kind<'a>(
-    name: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> impl Iterator<Item = Option<&'a str>> {
-    candidates
-        .into_iter()
-        .map(move |candidate| is_of_kind(name, candidate).then_some(candidate))
 }
 
 /// Whether a file ends as a name does, but for a slip of the pen; a name may lack its suffix.

@@ -4,7 +4,7 @@
 //! The loader checks nothing (`docs/loaders/makehuman2/macros.md#structure`); members of a wrong
 //! type are left out here and reported by the schema.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use mhlint_json::{Document, Node, Value};
@@ -16,6 +16,8 @@ pub struct MacroFile {
     pub components: Vec<Component>,
     /// Macro definitions in file order.
     pub macrodefs: Vec<Macrodef>,
+    /// Names of the components that some definition uses.
+    pub used: BTreeSet<String>,
     /// Whether these are more macros than can be compared with one another: they are then not
     /// checked, and that is said.
     pub is_too_large: bool,
@@ -39,11 +41,15 @@ impl MacroFile {
             .iter()
             .map(|macrodef| macrodef.components.len() + macrodef.links.len())
             .sum();
+        // A definition without names is looked at all the same.
+        let names = names.max(macrodefs.len());
         let compared = names.saturating_mul(components.len() + macrodefs.len());
         let is_too_large = compared > MOST_COMPARED
             || combinations(&components, &macrodefs) > MOST_COMBINATIONS
             || spelled(&components, &macrodefs) > MOST_SPELLED;
+        let names = macrodefs.iter().flat_map(|macrodef| &macrodef.components);
         Self {
+            used: names.cloned().collect(),
             components,
             macrodefs,
             is_too_large,

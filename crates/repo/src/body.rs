@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::landmarks::{Landmarks, Region, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
@@ -141,7 +141,7 @@ pub struct StoredBones<'v> {
     /// The rig.
     pub rig: &'v FileFacts,
     /// The bones of that.
-    pub known: BTreeSet<&'v str>,
+    pub known: Arc<BTreeSet<&'v str>>,
 }
 
 /// The units of poses, or those of expressions.
@@ -157,6 +157,22 @@ pub struct PoseUnitsFile<'v> {
     pub units: Option<(&'v FileFacts, &'v PoseUnits)>,
     /// The same where units are frames of a motion that have names alone.
     pub frames: Option<(&'v FileFacts, &'v [String])>,
+    /// Their names; made when first asked for.
+    pub(crate) names: OnceLock<BTreeSet<&'v str>>,
+}
+
+impl<'v> PoseUnitsFile<'v> {
+    /// The file with their names, if they could be read.
+    pub fn names(&self) -> Option<(&'v FileFacts, &BTreeSet<&'v str>)> {
+        let of_units = self.units.map(|(file, _)| file);
+        let file = of_units.or_else(|| self.frames.map(|(file, _)| file))?;
+        let names = || match (self.units, self.frames) {
+            (Some((_, units)), _) => units.units.iter().map(|unit| &*unit.name).collect(),
+            (None, Some((_, names))) => names.iter().map(String::as_str).collect(),
+            (None, None) => BTreeSet::new(),
+        };
+        Some((file, self.names.get_or_init(names)))
+    }
 }
 
 /// Weights of a body, or of an asset that it wears.
@@ -285,25 +301,14 @@ impl<'v> Body<'v> {
     }
 
     /// The names of the units that a pose can set, if they could be read.
-    pub fn unit_names(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, BTreeSet<&'v str>)> {
+    pub fn unit_names(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, &BTreeSet<&'v str>)> {
         let category = if pose.is_expression {
             "expressions"
         } else {
             "poses"
         };
-        let own = self
-            .pose_units
-            .iter()
-            .find(|units| units.category == category)?;
-        let turns = || {
-            own.units
-                .map(|(file, units)| (file, units.units.iter().map(|unit| &*unit.name).collect()))
-        };
-        let frames = || {
-            own.frames
-                .map(|(file, names)| (file, names.iter().map(String::as_str).collect()))
-        };
-        turns().or_else(frames)
+        let mut own = self.pose_units.iter();
+        own.find(|units| units.category == category)?.names()
     }
 
     /// The rig that the application poses the body with.

@@ -335,7 +335,7 @@ fn targets<'a>(
         .parts
         .iter()
         .filter(|own| own.part == part)
-        .flat_map(|own| &own.targets);
+        .flat_map(|own| own.targets.iter());
     places.filter_map(|place| view.targets.at(*place)).collect()
 }
 

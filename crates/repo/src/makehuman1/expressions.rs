@@ -1,6 +1,8 @@
 //! Expressions with the frames that they are made of
 //! (`docs/loaders/makehuman1/expressions.md#units`).
 
+use std::sync::OnceLock;
+
 use super::view::OWN;
 use crate::{BodyPose, FileFacts, Layers, PoseUnitsFile};
 use mhlint_discover::{Kind, library_of};
@@ -60,6 +62,7 @@ impl<'a> FaceFrames<'a> {
             is_there: is_there(rel),
             units: None,
             frames,
+            names: OnceLock::new(),
         };
         vec![file(NAMES, self.units()), file(MOTION, None)]
     }

@@ -2,6 +2,7 @@
 //! (`docs/loaders/makehuman1/modifiers.md#modifier-file`).
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::targets::Targets;
 use crate::{FileFacts, Layer, Layers, ReferenceKind};
@@ -80,7 +81,7 @@ pub struct TargetPart {
     /// The name of the group.
     pub group: String,
     /// Places of its targets; none where no file has the name.
-    pub targets: Vec<usize>,
+    pub targets: Arc<[usize]>,
 }
 
 impl<'a> Modifiers<'a> {
@@ -96,6 +97,7 @@ impl<'a> Modifiers<'a> {
             is_there: system.below("modifiers").next().is_some(),
             ..Self::default()
         };
+        let mut shared = BTreeMap::new();
         for (set, (file, list)) in sets
             .iter()
             .enumerate()
@@ -108,7 +110,7 @@ impl<'a> Modifiers<'a> {
                     .entry(name.clone())
                     .or_default()
                     .push(modifiers.all.len());
-                let parts = parts(modifier, targets);
+                let parts = parts(modifier, targets, &mut shared);
                 modifiers.all.push(KnownModifier {
                     file,
                     set,
@@ -182,13 +184,18 @@ impl<'a> ModifierSet<'a> {
 
 fn uses(all: &[KnownModifier<'_>]) -> BTreeMap<usize, ReferenceKind> {
     let mut uses = BTreeMap::new();
+    let mut seen = BTreeSet::new();
     for part in all.iter().flat_map(|one| &one.parts) {
+        // All macros of a group have the same targets.
+        if !seen.insert((part.group.as_str(), part.part == Part::Macro)) {
+            continue;
+        }
         let own = if part.part == Part::Macro {
             ReferenceKind::MacroTarget
         } else {
             ReferenceKind::Incr
         };
-        for place in &part.targets {
+        for place in part.targets.iter() {
             let known = uses.entry(*place).or_insert(own);
             *known = own.min(*known);
         }
@@ -196,12 +203,20 @@ fn uses(all: &[KnownModifier<'_>]) -> BTreeMap<usize, ReferenceKind> {
     uses
 }
 
-fn parts(modifier: &Modifier, targets: &Targets<'_>) -> Vec<TargetPart> {
+fn parts(
+    modifier: &Modifier,
+    targets: &Targets<'_>,
+    shared: &mut BTreeMap<String, Arc<[usize]>>,
+) -> Vec<TargetPart> {
     let groups = modifier.target_groups().into_iter();
     groups
         .map(|(part, group)| TargetPart {
             part,
-            targets: targets.of_group(&group).to_vec(),
+            targets: Arc::clone(
+                shared
+                    .entry(group.clone())
+                    .or_insert_with(|| targets.of_group(&group).into()),
+            ),
             group,
         })
         .collect()

@@ -200,6 +200,16 @@ impl<'a> Targets<'a> {
         (!matches!(*only, "" | "target" | "targets")).then_some(*only)
     }
 
+    /// Whether there is a group of this name, or one that begins with it and a `-`.
+    pub fn has_group_from(&self, name: &str) -> bool {
+        let start = format!("{name}-");
+        let mut from = self.by_group.range(start.clone()..);
+        self.by_group.contains_key(name)
+            || from
+                .next()
+                .is_some_and(|(group, _)| group.starts_with(&start))
+    }
+
     /// The names of all groups.
     pub fn groups(&self) -> impl Iterator<Item = &str> {
         self.by_group.keys().map(String::as_str)

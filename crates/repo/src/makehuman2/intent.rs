@@ -3,8 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::slider::{Undeclared, as_undeclared};
 use super::{Base, BoundSlider, Pattern};
-use mhlint_diag::{Grouped, Sought, grouped};
+use mhlint_diag::Sought;
 use mhlint_formats::modelling::Modelling;
 
 /// Names of missing targets that are compared with others: each pattern that is looked for is
@@ -29,8 +30,8 @@ pub(super) struct Intent<'a> {
     meant: BTreeSet<String>,
     /// Folders of the barycentric sets that are too short.
     short: BTreeSet<Option<String>>,
-    /// Numbers of the sliders with two targets that no pair of opposites covers, by `decr`.
-    undeclared: Grouped<&'a str, usize>,
+    /// Patterns of the sliders with two targets that no pair of opposites covers.
+    undeclared: BTreeSet<Undeclared<'a>>,
     /// Targets of sliders that lack one.
     lacking: BTreeMap<&'a str, Sought<'a>>,
 }
@@ -55,15 +56,6 @@ impl<'a> Intent<'a> {
         let short = sliders()
             .filter(is_short)
             .flat_map(|bound| bound.pattern.names());
-        let undeclared = base
-            .sliders
-            .iter()
-            .enumerate()
-            .filter(|(_, bound)| bound.is_undeclared_pair());
-        let undeclared = grouped(
-            undeclared
-                .map(|(number, bound)| (bound.slider.decr.as_deref().unwrap_or_default(), number)),
-        );
         let lacking = sliders().filter(|slider| base.lacks_target(slider));
         let names = lacking
             .flat_map(|bound| [&bound.slider.decr, &bound.slider.incr])
@@ -92,7 +84,7 @@ impl<'a> Intent<'a> {
                 .chain(unmarked.map(str::to_owned))
                 .collect(),
             short: short.map(|name| folder_of(name)).collect(),
-            undeclared,
+            undeclared: sliders().flat_map(BoundSlider::undeclared).collect(),
             lacking: names
                 .map(|name| (name.as_str(), Sought::new(name)))
                 .collect(),
@@ -209,22 +201,7 @@ impl<'a> Base<'a> {
 
     /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
     fn names_undeclared_pair(&self, pattern: &str) -> bool {
-        let path = |pattern: &str| {
-            pattern
-                .split_once('|')
-                .map_or(String::new(), |(path, _)| path.to_owned())
-        };
-        let paths = [
-            path(pattern),
-            path(pattern.strip_prefix("custom/").unwrap_or_default()),
-        ];
-        let numbers = paths
-            .iter()
-            .filter_map(|path| self.intent.undeclared.get(path.as_str()))
-            .flatten();
-        numbers
-            .filter_map(|number| self.sliders.get(*number))
-            .any(|slider| slider.would_register(pattern))
+        as_undeclared(pattern).any(|own| self.intent.undeclared.contains(&own))
     }
 
     /// Whether a slider that names a target which is not there has nearly this pattern.

@@ -36,7 +36,7 @@ pub use meshes::{Lies, MeshFiles, UnreadMesh};
 pub use models::SavedModel;
 pub use overlay::{Candidate, Overlaid};
 pub use program::{PROGRAM_FILES, has_shaders, holds_program, lacks_bases};
-pub use slider::{BoundSlider, Pattern};
+pub use slider::{BoundSlider, Pattern, Undeclared, as_undeclared};
 pub use target_folder::TargetFolder;
 pub(crate) use textures::folders as picture_folders;
 pub use unfiled::is_unfiled;

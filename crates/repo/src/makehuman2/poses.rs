@@ -1,6 +1,8 @@
 //! Poses and expressions with the units that they are made of
 //! (`docs/loaders/makehuman2/poses.md#pose-units`, `docs/loaders/makehuman2/poses.md#mhpose`).
 
+use std::sync::OnceLock;
+
 use super::OWN;
 use crate::{BodyPose, FileFacts, Layers, PoseUnitsFile};
 use mhlint_discover::{Kind, listed_in};
@@ -70,6 +72,7 @@ pub(super) fn units<'a>(layers: Layers<'a>, base: &str) -> [PoseUnitsFile<'a>; 2
             rel,
             units,
             frames: None,
+            names: OnceLock::new(),
         }
     })
 }

@@ -18,27 +18,37 @@ pub struct BoundSlider<'a> {
     pub meant: Pattern,
 }
 
-impl BoundSlider<'_> {
+impl<'a> BoundSlider<'a> {
     /// Whether this has two targets whose endings `target-opposites` does not cover: only one side
     /// is used.
     pub fn is_undeclared_pair(&self) -> bool {
         matches!(self.pattern, Pattern::Single(_)) && self.slider.decr.is_some()
     }
 
-    /// Whether this would be registered under `pattern` if its pair of endings were declared.
-    pub fn would_register(&self, pattern: &str) -> bool {
-        let (Some(incr), Some(decr)) = (&self.slider.incr, &self.slider.decr) else {
-            return false;
-        };
-        let own = if self.slider.user {
-            pattern.strip_prefix("custom/")
-        } else {
-            Some(pattern)
-        };
-        let parts = own.and_then(|pattern| pattern.split_once('|'));
-        self.is_undeclared_pair()
-            && parts.is_some_and(|(path, suffix)| path == decr && ends_with(incr, suffix))
+    /// The patterns of which this would have one if its pair of endings were declared: one for
+    /// each ending that `incr` may have.
+    pub fn undeclared(&self) -> impl Iterator<Item = Undeclared<'a>> + use<'a> {
+        let slider = self.slider;
+        let decr = slider.decr.as_deref().filter(|_| self.is_undeclared_pair());
+        let both = decr.zip(slider.incr.as_deref());
+        both.into_iter().flat_map(move |(decr, incr)| {
+            let endings = incr.match_indices('-');
+            endings.filter_map(move |(dash, _)| Some((slider.user, decr, incr.get(dash + 1..)?)))
+        })
     }
+}
+
+/// The pattern of a pair: whether it is of a user target, `decr`, and the ending of `incr`.
+pub type Undeclared<'s> = (bool, &'s str, &'s str);
+
+/// What a pattern may be that of: a user target, or a target in a folder `custom`.
+pub fn as_undeclared(pattern: &str) -> impl Iterator<Item = Undeclared<'_>> {
+    let of_user = pattern.strip_prefix("custom/");
+    let both = [(false, Some(pattern)), (true, of_user)];
+    both.into_iter().filter_map(|(user, pattern)| {
+        let (decr, ending) = pattern?.split_once('|')?;
+        Some((user, decr, ending))
+    })
 }
 
 /// Identity of a slider in models, presets, symmetry and macros.

@@ -26,6 +26,8 @@ pub struct View<'a> {
     pub layers: Layers<'a>,
     /// The base meshes of all layers, by name.
     pub bases: Vec<Base<'a>>,
+    /// The numbers of these by their names in lower case; of several the first.
+    bases_in_lower_case: BTreeMap<String, usize>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     /// What bodies can wear, sorted by base.
@@ -87,8 +89,11 @@ impl<'a> View<'a> {
         );
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
+        let numbered = bases.iter().enumerate().rev();
+        let in_lower_case = numbered.map(|(at, base)| (base.name.to_ascii_lowercase(), at));
         Self {
             layers,
+            bases_in_lower_case: in_lower_case.collect(),
             bases,
             references,
             worn_by_path: worn
@@ -113,6 +118,12 @@ impl<'a> View<'a> {
             .binary_search_by(|base| base.name.cmp(name))
             .ok()?;
         self.bases.get(at)
+    }
+
+    /// The first base mesh whose name differs in nothing but case.
+    pub fn base_ignoring_case(&self, name: &str) -> Option<&Base<'a>> {
+        let at = self.bases_in_lower_case.get(&name.to_ascii_lowercase())?;
+        self.bases.get(*at)
     }
 
     /// References for a base.

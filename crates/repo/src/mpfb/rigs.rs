@@ -3,6 +3,9 @@
 //! `docs/loaders/mpfb/custom-rigs.md#what-differs`).
 
 use super::view::OWN;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
 use crate::{FileFacts, Layer, Layers, StoredBones, parent};
 use mhlint_discover::Kind;
 use mhlint_formats::rig::{Identifying, Rig as Definition};
@@ -135,31 +138,39 @@ pub fn rig_of_pose(rel: &str) -> Option<&str> {
     })
 }
 
+/// Rigs with the names of their bones, by what folders of poses call them; nothing of those without
+/// bones.
+pub(super) type OfPoses<'a> = BTreeMap<String, Option<(&'a FileFacts, Arc<BTreeSet<&'a str>>)>>;
+
+/// The rigs that poses can be for.
+pub(super) fn of_poses<'a>(rigs: &[RigFile<'a>]) -> OfPoses<'a> {
+    let mut by_name = BTreeMap::new();
+    for rig in rigs {
+        let name = match rig.part {
+            RigPart::Standard => rig.name.to_owned(),
+            RigPart::Rigify => format!("rigify.{}", rig.name),
+            RigPart::Custom | RigPart::Asset => continue,
+        };
+        by_name.entry(name).or_insert_with(|| {
+            let bones = rig.definition()?.bones.iter();
+            let names: BTreeSet<&str> = bones.map(|bone| bone.name.as_str()).collect();
+            (!names.is_empty()).then(|| (rig.file, Arc::new(names)))
+        });
+    }
+    by_name
+}
+
 /// The bones of a stored pose with those of the rig that its folder names, if it is at hand.
 pub(super) fn bones_of_pose<'a>(
-    rigs: &[RigFile<'a>],
+    rigs: &OfPoses<'a>,
     file: &'a FileFacts,
 ) -> Option<StoredBones<'a>> {
-    let name = rig_of_pose(&file.rel)?;
-    let is_meant = |rig: &&RigFile<'_>| match rig.part {
-        RigPart::Standard => rig.name == name,
-        RigPart::Rigify => name.strip_prefix("rigify.") == Some(rig.name),
-        RigPart::Custom | RigPart::Asset => false,
-    };
-    let rig = rigs.iter().find(is_meant)?;
-    let definition = rig
-        .definition()
-        .filter(|definition| !definition.bones.is_empty())?;
-    let known = definition
-        .bones
-        .iter()
-        .map(|bone| bone.name.as_str())
-        .collect();
+    let (rig, known) = rigs.get(rig_of_pose(&file.rel)?)?.as_ref()?;
     Some(StoredBones {
         file,
         named: &file.stored_pose()?.bones,
-        rig: rig.file,
-        known,
+        rig,
+        known: Arc::clone(known),
     })
 }
 

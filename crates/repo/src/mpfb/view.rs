@@ -310,8 +310,9 @@ impl<'a> View<'a> {
             .filter_map(|file| Some((file, &file.motion()?.imported)))
             .collect();
         let poses = view.files().filter(|file| file.kind == Kind::StoredPose);
+        let of_poses = rigs::of_poses(&self.rigs);
         body.stored_poses = poses
-            .filter_map(|file| rigs::bones_of_pose(&self.rigs, file))
+            .filter_map(|file| rigs::bones_of_pose(&of_poses, file))
             .collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)

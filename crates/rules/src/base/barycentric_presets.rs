@@ -2,7 +2,7 @@
 
 use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
-use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::makehuman2::{Base, Pattern, View};
 
 /// Rounding of decimals like 0.33 + 0.33 + 0.34 in double precision is far below this.
@@ -30,11 +30,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if settings.mhm.is_some() {
         return;
     }
+    let presets = settings.presets.iter();
+    let presets = grouped(presets.map(|(name, value)| (name, *value)));
     for bound in &base.sliders {
         let Pattern::Barycentric(corners) = &bound.pattern else {
             continue;
         };
-        let value = |corner: &String| settings.presets.iter().find(|(name, _)| name == corner)?.1;
+        let value = |corner: &String| *presets.get(corner)?.first()?;
         let values: Option<Vec<f64>> = corners.iter().map(value).collect();
         // Another number of corners is a finding of its own.
         let Some(values) = values.filter(|values| values.len() == 3) else {

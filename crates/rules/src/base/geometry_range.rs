@@ -154,10 +154,8 @@ fn without_group(
     mesh: &Mesh,
     suggestions: &Suggestions,
 ) -> Finding {
-    let joints = mesh
-        .groups
-        .iter()
-        .filter_map(|group| group.name.strip_prefix(PREFIX));
+    let groups = suggestions.looked_through(&mesh.groups);
+    let joints = groups.filter_map(|group| group.name.strip_prefix(PREFIX));
     let help = did_you_mean(
         suggestions.nearest(&range.name, joints),
         "use the name of a mesh group, without `joint-`",

@@ -63,9 +63,6 @@ fn meant<'a>(view: &View<'a>, files: impl Iterator<Item = &'a FileFacts>) -> Opt
         .filter_map(|target| Some(target.basemesh.as_ref()?.1.to_ascii_lowercase()))
         .collect();
     let name = named.first().filter(|_| named.len() == 1)?;
-    let other = view
-        .bases
-        .iter()
-        .find(|base| base.name.eq_ignore_ascii_case(name))?;
+    let other = view.base_ignoring_case(name)?;
     (!view.is_nowhere(other.name)).then_some(other.name)
 }

@@ -8,6 +8,9 @@ use mhlint_repo::makehuman2::{Base, View};
 /// More unknown names than this are not single slips if they are most of all.
 const SLIPS: usize = 5;
 
+/// Bases that are asked whether names are theirs.
+const COMPARED: usize = 256;
+
 /// One finding where most of the names do not exist: base.json is that of another base.
 pub(super) fn of_other_base(
     view: &View<'_>,
@@ -40,6 +43,7 @@ pub(super) fn of_other_base(
     let help = match view
         .bases
         .iter()
+        .take(COMPARED)
         .find(has_presets)
         .filter(|_| !settings.presets.is_empty())
     {

@@ -138,9 +138,9 @@ fn not_offered(
         .of_base(base.name)
         .iter()
         .filter(|asset| asset.is_worn());
-    let lost: Vec<&Asset<'_>> = assets
-        .filter(|asset| !offered.iter().any(|name| name == asset.category))
-        .collect();
+    let offered: BTreeSet<&str> = offered.iter().map(String::as_str).collect();
+    let lost = assets.filter(|asset| !offered.contains(asset.category));
+    let lost: Vec<&Asset<'_>> = lost.collect();
     let kinds: BTreeSet<&str> = lost.iter().map(|asset| asset.category).collect();
     let Some(first) = kinds.first() else { return };
     let message = match kinds.len() {

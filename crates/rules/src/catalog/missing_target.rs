@@ -41,7 +41,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         one.kind.is_target() && matches!(one.resolution, Resolution::Missing) && !is_told(one)
     };
     let missing = view.references.iter().filter(is_lost);
-    let by_cause = grouped(missing.map(|reference| (cause(&catalog, reference), reference)));
+    let folders: BTreeSet<&str> = catalog.layer.files.keys().map(|rel| parent(rel)).collect();
+    let by_cause = grouped(missing.map(|reference| (cause(&folders, reference), reference)));
     let by_cause = many_of_folder(by_cause);
     out.extend(
         by_cause
@@ -59,13 +60,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// What several references are missing for: a folder with nothing in it, a slider with empty slots,
 /// or one file.
-fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
+fn cause(folders: &BTreeSet<&str>, reference: &Reference<'_>) -> String {
     let folder = parent(&reference.rel);
-    if catalog
-        .layer
-        .below(folder)
-        .all(|file| parent(&file.rel) != folder)
-    {
+    if !folders.contains(folder) {
         folder.to_owned()
     } else if reference.text.is_empty() {
         reference.owner.to_owned()

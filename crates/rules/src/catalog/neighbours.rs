@@ -93,7 +93,9 @@ impl<'v, 'a> Neighbours<'v, 'a> {
     /// The target beside it that is most like it.
     fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
         let files = self.catalog.layer.below(parent(&reference.rel));
-        let free = files
+        let free = self
+            .suggestions
+            .looked_through(files)
             .filter(|file| !self.used.contains(file.path.as_str()))
             .map(FileFacts::file_name);
         let free = free.filter(|name| stem(name) != *name);

@@ -1,9 +1,11 @@
 //! Components of `macro.json` with faults of their own: what is made of their values follows from
 //! them.
 
+use std::collections::BTreeSet;
+
 use super::schema::is_sound;
-use mhlint_diag::pointer;
-use mhlint_formats::macro_json::Component;
+use mhlint_diag::{Grouped, grouped, pointer};
+use mhlint_formats::macro_json::{Component, MacroFile, Macrodef};
 use mhlint_repo::FileFacts;
 
 /// Whether the schema has nothing against a component.
@@ -63,5 +65,48 @@ pub(crate) fn patterns(component: &Component) -> Vec<String> {
             read.map(|end| format!("{pattern}{end}")).collect()
         }
         (None, None) => Vec::new(),
+    }
+}
+
+/// Which macro definitions read a slider, by its patterns.
+pub(crate) struct Readers<'m> {
+    macros: &'m MacroFile,
+    /// Names of the components that some definition uses, by pattern.
+    components: Grouped<String, &'m str>,
+    /// Positions of the definitions, by component.
+    definitions: Grouped<&'m str, usize>,
+}
+
+impl<'m> Readers<'m> {
+    /// Those of a file; `patterns` says which ones a component reads.
+    pub(crate) fn of(macros: &'m MacroFile, patterns: fn(&Component) -> Vec<String>) -> Self {
+        let components = macros.components.iter();
+        let components = components.filter(|own| macros.used.contains(&own.name));
+        let definitions = macros.macrodefs.iter().enumerate();
+        Self {
+            macros,
+            components: grouped(components.flat_map(|own| {
+                let patterns = patterns(own).into_iter();
+                patterns.map(|pattern| (pattern, own.name.as_str()))
+            })),
+            definitions: grouped(definitions.flat_map(|(at, own)| {
+                let names = own.components.iter();
+                names.map(move |name| (name.as_str(), at))
+            })),
+        }
+    }
+
+    /// The definitions with a component that reads one of some patterns, in their order.
+    pub(crate) fn of_any(&self, patterns: &[String]) -> Vec<&'m Macrodef> {
+        let components = patterns.iter().filter_map(|own| self.components.get(own));
+        let components: BTreeSet<&str> = components.flatten().copied().collect();
+        let places = components
+            .iter()
+            .filter_map(|own| self.definitions.get(own));
+        let places: BTreeSet<usize> = places.flatten().copied().collect();
+        let macrodefs = places.into_iter();
+        macrodefs
+            .filter_map(|at| self.macros.macrodefs.get(at))
+            .collect()
     }
 }

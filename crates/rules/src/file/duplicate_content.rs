@@ -1,5 +1,7 @@
 //! The same content under several names.
 
+use std::collections::BTreeSet;
+
 use super::super::cause::copies::CopiedFolders;
 use super::super::{Check, Rule, RuleCx, counted};
 use mhlint_diag::{
@@ -61,7 +63,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let twins = grouped(
         files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))),
     );
-    let (copied, ends) = (CopiedFolders::of(view), view.slider_ends());
+    let copied = CopiedFolders::of(view);
+    let ends = view.slider_ends();
+    let ends = ends.iter().map(|pair| pair.map(|file| file.path.as_str()));
+    let ends = grouped(ends.map(|[one, other]| (one, other)));
     for ((_, class, _), files) in twins {
         let [first, others @ ..] = files.as_slice() else {
             continue;
@@ -96,8 +101,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
-        let is_there = |end: &FileFacts| files.iter().any(|file| file.path == end.path);
-        let finding = if ends.iter().any(|pair| pair.iter().all(|end| is_there(end))) {
+        let own: BTreeSet<&str> = files.iter().map(|file| file.path.as_str()).collect();
+        let mut opposites = own.iter().filter_map(|path| ends.get(*path)).flatten();
+        let finding = if opposites.any(|path| own.contains(path)) {
             finding.case(ONE_END)
         } else {
             finding

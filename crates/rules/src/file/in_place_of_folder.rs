@@ -1,5 +1,8 @@
 //! Files in the place of folders, and folders in the place of files.
 
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{
@@ -35,12 +38,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, Damage::Closed).map(|loss| loss.of(view, finding))
     };
-    let all = || {
-        view.layers()
-            .strongest_first()
-            .flat_map(|layer| layer.files.values())
-    };
-    let is_base = |name: &str| all().any(|file| file.base_in(view.application()) == Some(name));
+    let bases = LazyCell::new(|| -> BTreeSet<&str> {
+        let layers = view.layers().strongest_first();
+        let files = layers.flat_map(|layer| layer.files.values());
+        files
+            .filter_map(|file| file.base_in(view.application()))
+            .collect()
+    });
+    let is_base = |name: &str| bases.contains(name);
     for file in view
         .files()
         .filter(|file| file.unreadable.is_none() && !file.failed)

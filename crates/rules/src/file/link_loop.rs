@@ -1,5 +1,7 @@
 //! Links that lead in a circle.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -35,18 +37,15 @@ const NOT_FOLLOWED: Case = &[(
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let is_loop = |path: &str| {
-        let same = |fault: &&WalkFault| {
-            fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. })
-        };
-        layer.walk_faults.iter().any(|fault| same(&fault))
-    };
+    let is_loop = |fault: &&WalkFault| matches!(fault.kind, WalkFaultKind::LinkLoop { .. });
+    let loops = layer.walk_faults.iter().filter(is_loop);
+    let loops: BTreeSet<&str> = loops.map(|fault| fault.path.as_str()).collect();
     for fault in &layer.walk_faults {
         let WalkFaultKind::LinkLoop { back_to } = &fault.kind else {
             continue;
         };
         // Links that point to each other are one circle, told at one of them.
-        if *back_to != fault.path && is_loop(back_to) {
+        if *back_to != fault.path && loops.contains(back_to.as_str()) {
             continue;
         }
         let message = if *back_to == fault.path || back_to.is_empty() {

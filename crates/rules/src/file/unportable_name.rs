@@ -1,5 +1,7 @@
 //! Names that some system cannot hold, or holds differently.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
 use mhlint_diag::{
@@ -7,7 +9,6 @@ use mhlint_diag::{
     Case, Finding, Level, RuleInfo,
 };
 use mhlint_repo::{Resolution, View};
-use mhlint_source::is_below;
 
 const LOST: &str = "does not find the file on a system that cannot hold its name";
 
@@ -35,7 +36,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let name = path.rsplit('/').next().unwrap_or(path);
         if let Some(fault) = fault(name) {
             // That something names it in another form and does not find it is the worse news.
-            if fault.what == DECOMPOSED && not_found.iter().any(|file| is_below(file, path)) {
+            if fault.what == DECOMPOSED && is_or_holds(&not_found, path) {
                 continue;
             }
             let finding = RULE.in_layer(
@@ -52,8 +53,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Whether a path is that of a file, or of a folder of one.
+fn is_or_holds(files: &BTreeSet<&str>, path: &str) -> bool {
+    let folder = format!("{path}/");
+    let below = files.range(folder.as_str()..).next();
+    files.contains(path) || below.is_some_and(|file| file.starts_with(&folder))
+}
+
 /// Files whose names a reference of the checked layer writes in another form of accented letters.
-fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
+fn named_in_another_form<'a>(view: &View<'a>) -> BTreeSet<&'a str> {
     let layers = view.layers();
     let own = view
         .references()

@@ -1,5 +1,8 @@
 //! What cannot be opened, listed or read.
 
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{
@@ -47,6 +50,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, damage).map(|loss| loss.of(view, finding))
     };
+    let named = LazyCell::new(|| -> BTreeSet<&str> {
+        let references = view.references().iter();
+        references.map(|reference| &*reference.rel).collect()
+    });
     for fault in &layer.walk_faults {
         match &fault.kind {
             WalkFaultKind::Unreadable { reason } => {
@@ -57,11 +64,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 ));
             }
             WalkFaultKind::DeadLink { to } if view.looks_at(view.kind_at(&fault.path)) => {
-                let is_named = view
-                    .references()
-                    .iter()
-                    .any(|reference| reference.rel == fault.path);
-                let damage = if is_named {
+                let damage = if named.contains(fault.path.as_str()) {
                     Damage::Closed
                 } else {
                     Damage::Dangling

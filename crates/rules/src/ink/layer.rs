@@ -94,8 +94,11 @@ fn uv_layer(
         return None;
     }
     let known = layers().flat_map(|layer| layer.below("uv_layers"));
-    let known = known.map(|file| file.file_name().strip_suffix(".json.gz"));
-    let near = cx.suggestions.nearest_of_wanted(&stem, known);
+    let known = cx
+        .suggestions
+        .looked_through(known)
+        .filter_map(|file| file.file_name().strip_suffix(".json.gz"));
+    let near = cx.suggestions.nearest(&stem, known);
     let message = format!("UV layer `{}` of `focus` does not exist", focus.name);
     let finding = RULE
         .at(file, Place::Pointer(focus.pointer.clone()), message)

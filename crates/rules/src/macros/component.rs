@@ -8,11 +8,7 @@ use mhlint_repo::makehuman2::{Base, Pattern};
 
 /// Lowers a finding on a component that no macro definition uses: it is never evaluated.
 pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component) -> Finding {
-    if macros
-        .macrodefs
-        .iter()
-        .any(|macrodef| macrodef.components.contains(&component.name))
-    {
+    if macros.used.contains(&component.name) {
         return finding;
     }
     finding

@@ -1,10 +1,12 @@
 //! The folder of a macro definition must be given and exist.
 
+use std::cell::LazyCell;
+
 use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::links::{MacroLink, links, own_links};
 use super::lost_folder::{holds_files, is_lost};
-use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use mhlint_diag::{Application::Makehuman2, Finding, Grouped, Level, Place, RuleInfo, grouped};
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -23,6 +25,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     };
     let all = links(view, base);
+    let folders = LazyCell::new(|| folders_by_name(base));
     for macrodef in &macros.macrodefs {
         let own = own_links(&all, macrodef);
         let index = macrodef.index.to_string();
@@ -48,7 +51,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                             reach a combination",
                     )
                     .help(
-                        folder_of_files(base, own)
+                        folder_of_files(base, &folders, own)
                             .unwrap_or_else(|| nearest_folder(base, folder, cx)),
                     )
             }
@@ -91,26 +94,33 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     }
 }
 
+/// The folders of the targets of each name.
+fn folders_by_name<'a>(base: &Base<'a>) -> Grouped<&'a str, &'a str> {
+    let files = base
+        .targets
+        .into_iter()
+        .flat_map(|targets| targets.targets().map(move |file| (targets, file)));
+    grouped(files.filter_map(|(targets, file)| {
+        let (folder, _) = targets.name_of(file)?.rsplit_once('/')?;
+        Some((file.stem(), folder))
+    }))
+}
+
 /// The folder that holds all files of a definition, as help.
-fn folder_of_files(base: &Base<'_>, own: &[MacroLink<'_>]) -> Option<String> {
+fn folder_of_files(
+    base: &Base<'_>,
+    folders: &Grouped<&str, &str>,
+    own: &[MacroLink<'_>],
+) -> Option<String> {
     let targets = base.targets?;
-    let first = own.first()?.reference.text;
-    let mut folders = targets
-        .targets()
-        .filter(|file| file.stem() == first)
-        .filter_map(|file| {
-            targets
-                .name_of(file)?
-                .rsplit_once('/')
-                .map(|(folder, _)| folder.to_owned())
-        });
-    let holds_all = |folder: &String| {
+    let holds_all = |folder: &&&str| {
         own.iter().all(|link| {
             targets
                 .target(&format!("{folder}/{}", link.reference.text))
                 .is_some()
         })
     };
+    let mut folders = folders.get(own.first()?.reference.text)?.iter();
     folders
         .find(holds_all)
         .map(|folder| format!("write `{folder}`: its targets are there"))
@@ -125,11 +135,11 @@ fn nearest_folder(base: &Base<'_>, folder: &str, cx: &RuleCx<'_>) -> String {
         .targets
         .map(|targets| targets.layer.folders.as_slice())
         .unwrap_or_default();
+    let start = folders.partition_point(|other| *other < rel);
+    let folders = folders.iter().skip(start);
     did_you_mean(
-        cx.suggestions.nearest(
-            folder,
-            folders.iter().filter_map(|other| other.strip_prefix(&rel)),
-        ),
+        cx.suggestions
+            .nearest(folder, folders.map_while(|other| other.strip_prefix(&rel))),
         format!("create `{rel}{folder}` with the targets, or correct the name"),
     )
 }

@@ -1,20 +1,21 @@
 //! A `comp` with more or fewer components than all names of its definition have parts.
 
 use super::super::{Rule, counted};
+use super::holders::Holders;
 use super::listing::{Listing, Slip};
 use mhlint_diag::{Evidence, Finding, Place};
-use mhlint_formats::macro_json::{Component, MacroFile, Macrodef};
+use mhlint_formats::macro_json::Macrodef;
 use mhlint_repo::FileFacts;
 
 /// If all names have more or fewer parts than `comp` has components, `comp` is wrong.
 pub(super) fn finding(
     rule: &Rule,
     file: &FileFacts,
-    macros: &MacroFile,
+    holders: &Holders<'_>,
     macrodef: &Macrodef,
     listing: &Listing<'_>,
 ) -> Option<Finding> {
-    let (parts, meant) = lacking(macros, listing)?;
+    let (parts, meant) = lacking(holders, listing)?;
     let names = || listing.strangers.iter().map(|stranger| &stranger.link.name);
     let message = format!(
         "`comp` has {}, but each name has {} (`{}` and {} more)",
@@ -45,7 +46,7 @@ pub(super) fn finding(
 /// How many parts the names have, and the components that their parts are values of, where that is
 /// clear.
 fn lacking<'a>(
-    macros: &'a MacroFile,
+    holders: &Holders<'a>,
     listing: &Listing<'_>,
 ) -> Option<(usize, Option<Vec<&'a str>>)> {
     let Slip::Parts(parts) = &listing.strangers.first()?.slip else {
@@ -60,24 +61,25 @@ fn lacking<'a>(
     if !are_all || *parts == 0 || listing.strangers.len() < 2 {
         return None;
     }
+    if *parts > MOST_PARTS {
+        return Some((*parts, None));
+    }
     let meant = (0..*parts)
-        .map(|part| component_of(macros, listing, part))
+        .map(|part| component_of(holders, listing, part))
         .collect();
     Some((*parts, meant))
 }
 
+/// Parts of a name for which components are looked for: nobody has more components.
+const MOST_PARTS: usize = 64;
+
 /// The only component that has the parts at one place of all names as values.
-fn component_of<'a>(macros: &'a MacroFile, listing: &Listing<'_>, part: usize) -> Option<&'a str> {
-    let tokens = || {
-        listing
-            .strangers
-            .iter()
-            .filter_map(|stranger| stranger.link.name.split('-').nth(part))
-    };
-    let has_all = |component: &&Component| {
-        tokens().all(|token| component.values.iter().any(|value| value == token))
-    };
-    let mut fitting = macros.components.iter().filter(has_all);
+fn component_of<'a>(holders: &Holders<'a>, listing: &Listing<'_>, part: usize) -> Option<&'a str> {
+    let names = listing.strangers.iter();
+    let tokens: Vec<&str> = names
+        .filter_map(|stranger| stranger.link.name.split('-').nth(part))
+        .collect();
+    let mut fitting = holders.of_all(&tokens);
     fitting
         .next()
         .filter(|_| fitting.next().is_none())

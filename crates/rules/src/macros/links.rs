@@ -201,9 +201,9 @@ pub(super) fn nearest_file<'s>(
 ) -> Option<&'s FileFacts> {
     let folder = base.targets?;
     let (parent, _) = reference.rel.rsplit_once('/')?;
-    let beside = folder
-        .layer
-        .below(parent)
+    let beside = folder.layer.below(parent);
+    let beside = suggestions
+        .looked_through(beside)
         .filter(|file| file.rel.ends_with(".target"));
     // The limit of the slip grows with the length of what is compared: the folder must not help.
     let own = reference.rel.strip_prefix(parent)?;

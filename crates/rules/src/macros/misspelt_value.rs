@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::holders::Holders;
 use super::listing::{Listing, Slip};
 use super::sound::sound_space;
 use super::space::Space;
@@ -24,17 +25,24 @@ impl MisspeltValue<'_> {
             .get(self.value)
             .map_or("", String::as_str)
     }
+}
+
+/// Components, and what names have instead of a value of theirs.
+pub(super) struct Tokens<'m>(BTreeSet<(&'m str, &'m str)>);
+
+impl<'m> Tokens<'m> {
+    pub(super) fn of(values: &'m [MisspeltValue<'_>]) -> Self {
+        let both = |value: &'m MisspeltValue<'_>| (&*value.component.name, &*value.token);
+        Self(values.iter().map(both).collect())
+    }
 
     /// Whether a name is wrong for this reason.
-    pub(super) fn explains(&self, space: &Space<'_>, slip: &Slip) -> bool {
+    pub(super) fn contain(&self, space: &Space<'_>, slip: &Slip) -> bool {
         let Slip::Value { axis, token } = slip else {
             return false;
         };
-        *token == self.token
-            && space
-                .axes
-                .get(*axis)
-                .is_some_and(|axis| axis.name == self.component.name)
+        let axis = space.axes.get(*axis);
+        axis.is_some_and(|axis| self.0.contains(&(axis.name.as_str(), token.as_str())))
     }
 }
 
@@ -122,7 +130,7 @@ fn of_component<'a>(
 /// Where no name is right because all have values of another component in one place: that place,
 /// and the component.
 pub(super) fn other_component<'a>(
-    macros: &'a MacroFile,
+    holders: &Holders<'a>,
     listing: &Listing<'_>,
 ) -> Option<(usize, &'a Component)> {
     let mut tokens: BTreeSet<(usize, &str)> = BTreeSet::new();
@@ -139,10 +147,6 @@ pub(super) fn other_component<'a>(
     {
         return None;
     }
-    let has_all = |other: &&Component| {
-        tokens
-            .iter()
-            .all(|(_, token)| other.values.iter().any(|value| value == token))
-    };
-    Some((axis, macros.components.iter().find(has_all)?))
+    let tokens: Vec<&str> = tokens.iter().map(|(_, token)| *token).collect();
+    Some((axis, holders.of_all(&tokens).next()?))
 }

@@ -5,6 +5,7 @@ mod absence_text;
 pub(super) mod combination_patterns;
 mod component;
 mod fit;
+mod holders;
 mod lacking_component;
 mod links;
 mod listing;

@@ -2,7 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, unknown_patterns, weigh};
-use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, pointer};
+use mhlint_diag::{
+    Application::Makehuman2, Finding, Grouped, Level, Place, RuleInfo, grouped, pointer,
+};
 use mhlint_json::UnknownKey;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
@@ -20,33 +22,22 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
-/// What a key of the component was meant to be, if it is nearly one of the two.
-fn misspelt(file: &FileFacts, component: &str) -> Option<String> {
-    let own = pointer(&["components", component]);
-    let is_own = |key: &&UnknownKey| {
-        key.pointer
-            .rsplit_once('/')
-            .is_some_and(|(owner, _)| owner == own)
+/// The keys of a file that are nearly one of the two, by the pointer of their object.
+fn misspelt(file: &FileFacts) -> Grouped<&str, String> {
+    let help = |key: &'_ UnknownKey| {
+        let meant = key.nearest.as_deref();
+        let meant = meant.filter(|near| matches!(*near, "steps" | "sum"))?;
+        Some(format!("did you mean `{meant}` instead of `{}`?", key.key))
     };
-    let meant = |key: &UnknownKey| {
-        key.nearest
-            .clone()
-            .filter(|near| near == "steps" || near == "sum")
-    };
-    let mut keys = file.schema.unknown.iter().filter(is_own);
-    keys.find_map(|key| {
-        Some(format!(
-            "did you mean `{}` instead of `{}`?",
-            meant(key)?,
-            key.key
-        ))
-    })
+    let keys = file.schema.unknown.iter();
+    grouped(keys.filter_map(|key| Some((key.pointer.rsplit_once('/')?.0, help(key)?))))
 }
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else {
         return;
     };
+    let misspelt = misspelt(file);
     for component in sound_components(file, macros) {
         let name = &component.name;
         let finding = match (&component.steps, &component.sum) {
@@ -73,13 +64,15 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             (None, None) => {
                 let place = Place::key(["components", name]);
+                let own = misspelt.get(pointer(&["components", name]).as_str());
+                let meant = own.and_then(|keys| keys.first()).cloned();
                 RULE.at(
                     file,
                     place,
                     format!("component `{name}` has neither `steps` nor `sum`"),
                 )
                 .effect("crashes at start with `KeyError`")
-                .help(misspelt(file, name).unwrap_or_else(|| {
+                .help(meant.unwrap_or_else(|| {
                     "add `steps` with a slider position for each value, or `sum` for a \
                             triangle slider"
                         .to_owned()

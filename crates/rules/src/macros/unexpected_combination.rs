@@ -1,9 +1,10 @@
 //! A listed combination must be one that its macro definition generates.
 
 use super::super::{Check, Rule, RuleCx, such};
+use super::holders::Holders;
 use super::lacking_component;
-use super::listing::{Listing, Stranger};
-use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
+use super::listing::Listing;
+use super::misspelt_value::{MisspeltValue, Tokens, misspelt_values, other_component};
 use super::sound::sound_space;
 use super::space::Space;
 use super::titles;
@@ -37,6 +38,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let homes = homes(macros);
     let misspelt = misspelt_values(file, macros, &cx.suggestions);
     out.extend(misspelt.iter().map(|value| finding_on_value(file, value)));
+    let (explained, holders) = (Tokens::of(&misspelt), Holders::of(macros));
     for macrodef in &macros.macrodefs {
         if macrodef.components.is_empty() {
             out.extend(without_components(file, macrodef));
@@ -45,22 +47,17 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         };
         let listing = Listing::of(&space, macrodef, &cx.suggestions);
-        let finding = || finding_on_comp(file, macros, macrodef, (&space, &listing));
+        let finding = || finding_on_comp(file, &holders, macrodef, (&space, &listing));
         if let Some(finding) =
-            lacking_component::finding(&RULE, file, macros, macrodef, &listing).or_else(finding)
+            lacking_component::finding(&RULE, file, &holders, macrodef, &listing).or_else(finding)
         {
             out.push(finding);
             continue;
         }
-        let is_explained = |stranger: &&Stranger<'_>| {
-            misspelt
-                .iter()
-                .any(|value| value.explains(&space, &stranger.slip))
-        };
         let unexplained = listing
             .strangers
             .iter()
-            .filter(|stranger| !is_explained(stranger));
+            .filter(|stranger| !explained.contain(&space, &stranger.slip));
         let groups = grouped(unexplained.map(|stranger| {
             let home = home(&homes, macrodef, &stranger.link.name);
             (
@@ -140,11 +137,11 @@ fn finding_on_value(file: &FileFacts, value: &MisspeltValue<'_>) -> Finding {
 /// there.
 fn finding_on_comp(
     file: &FileFacts,
-    macros: &MacroFile,
+    holders: &Holders<'_>,
     macrodef: &Macrodef,
     (space, listing): (&Space<'_>, &Listing<'_>),
 ) -> Option<Finding> {
-    let (axis, meant) = other_component(macros, listing)?;
+    let (axis, meant) = other_component(holders, listing)?;
     let message = format!(
         "`comp` has `{}` where the names have values of `{}`",
         space.axes.get(axis)?.name,

@@ -48,21 +48,14 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .filter(|(_, name)| !known.contains(name.as_str()));
         strangers.map(|(at, name)| (name.as_str(), place(macrodef, at)))
     }));
-    let used: BTreeSet<&str> = macros
-        .macrodefs
-        .iter()
-        .flat_map(|macrodef| &macrodef.components)
-        .map(String::as_str)
-        .collect();
+    let unused = known.iter().filter(|name| !macros.used.contains(**name));
+    let unused: BTreeSet<&str> = unused.copied().collect();
+    let inner = file.schema.unknown.iter().filter(|key| key.is_object);
+    let inner = grouped(inner.map(|key| (key.key.as_str(), key)));
     for (name, places) in unknown {
+        let candidates = if places.len() == 1 { &known } else { &unused };
         let help = did_you_mean(
-            cx.suggestions.nearest(
-                name,
-                known
-                    .iter()
-                    .copied()
-                    .filter(|other| !used.contains(other) || places.len() == 1),
-            ),
+            cx.suggestions.nearest(name, candidates.iter().copied()),
             "define the component, or remove it from `comp` and from the names",
         );
         let more = if places.len() > 1 {
@@ -81,12 +74,12 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for other in others.iter().take(EXAMPLES - 1) {
             finding = finding.related(&file.path, other.clone(), "also named here");
         }
-        let inside = file
-            .schema
-            .unknown
-            .iter()
-            .find(|key| key.key == name && key.is_object);
-        out.push(finding.key(name).help(inside.map_or(help, moved_out)));
+        let inside = inner.get(name).and_then(|keys| keys.first());
+        out.push(
+            finding
+                .key(name)
+                .help(inside.map_or(help, |key| moved_out(key))),
+        );
     }
 }
 
@@ -107,14 +100,9 @@ fn place(macrodef: &Macrodef, at: usize) -> Place {
 
 /// With no component at all every name is unknown, for one reason.
 fn without_components(file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
-    let names: BTreeSet<&String> = macros
-        .macrodefs
-        .iter()
-        .flat_map(|macrodef| &macrodef.components)
-        .collect();
-    let first = names.first()?;
-    let more = if names.len() > 1 {
-        format!(" and {} more", names.len() - 1)
+    let first = macros.used.first()?;
+    let more = if macros.used.len() > 1 {
+        format!(" and {} more", macros.used.len() - 1)
     } else {
         String::new()
     };

@@ -23,15 +23,12 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
-fn has_doubled(base: &Base<'_>) -> bool {
-    let mut seen = BTreeSet::new();
-    macro_patterns(base).any(|pattern| !seen.insert(pattern))
-}
-
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else {
         return;
     };
+    let known: BTreeSet<&str> = macro_patterns(base).collect();
+    let has_doubled = known.len() < macro_patterns(base).count();
     for component in sound_components(file, macros) {
         if component.steps.is_some() && component.sum.is_some() {
             continue; // `macro-steps-and-sum`: which of the two is meant is open.
@@ -42,7 +39,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         // A slider with the name of another one leaves its own behind:
         // `modelling-duplicate-pattern`.
-        if unknown.len() == 1 && has_doubled(base) {
+        if unknown.len() == 1 && has_doubled {
             continue;
         }
         let name = &component.name;
@@ -56,7 +53,8 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
         };
         let read = super::super::cause::component::patterns(component);
-        let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
+        let free = known.iter().copied();
+        let free = free.filter(|pattern| !read.iter().any(|own| own == pattern));
         let help = did_you_mean(
             cx.suggestions.nearest(first, free),
             "write the `macro`, or a text of `barycentric`, of an entry of modelling.json",

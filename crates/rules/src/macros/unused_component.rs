@@ -24,12 +24,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else {
         return;
     };
-    let used: BTreeSet<&str> = macros
-        .macrodefs
-        .iter()
-        .flat_map(|macrodef| &macrodef.components)
-        .map(String::as_str)
-        .collect();
+    let used: BTreeSet<&str> = macros.used.iter().map(String::as_str).collect();
     let known: BTreeSet<&str> = macros
         .components
         .iter()

@@ -78,10 +78,11 @@ impl<'v, 'a> Advice<'v, 'a> {
             );
         }
         let names = self
-            .free_below(around(&folders))
-            .map(|file| near(file, &folders).filter(|name| is_name(name)));
+            .suggestions
+            .looked_through(self.free_below(around(&folders)))
+            .filter_map(|file| near(file, &folders).filter(|name| is_name(name)));
         did_you_mean(
-            self.suggestions.nearest_of_wanted(reference.text, names),
+            self.suggestions.nearest(reference.text, names),
             otherwise,
         )
     }

@@ -26,6 +26,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     else {
         return;
     };
+    let renamed: BTreeSet<&str> = groups.renamed.iter().map(|one| one.name).collect();
     let mut used = None;
     for category in &model.categories {
         if category.name == USER_CATEGORY {
@@ -53,7 +54,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             );
         } else if base.modelling.winner().is_some() && !base.has_unreadable_sliders() {
             let used = used.get_or_insert_with(|| Used::of(view, base));
-            empty_items(file, used, &groups, category, out);
+            if !renamed.contains(category.name.as_str()) {
+                empty_items(file, used, &groups, category, out);
+            }
         }
     }
 }
@@ -88,13 +91,6 @@ fn empty_items(
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
-    if groups
-        .renamed
-        .iter()
-        .any(|renamed| renamed.name == category.name)
-    {
-        return;
-    }
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else {
             continue;

@@ -26,6 +26,10 @@ pub(super) struct Groups<'b, 'a> {
     pub(super) renamed: Vec<Renamed<'b, 'a>>,
     /// What groups of `unknown` were probably meant to be.
     meant: BTreeMap<&'b str, String>,
+    /// These groups.
+    near: BTreeSet<String>,
+    /// Categories of the unknown groups.
+    lost_categories: BTreeSet<&'b str>,
     /// Categories of `offered`.
     categories: BTreeSet<String>,
 }
@@ -85,11 +89,13 @@ pub(super) fn of<'b, 'a>(base: &'b Base<'a>, suggestions: &Suggestions) -> Optio
             .nearest(group, offered.iter().map(String::as_str))
             .map(str::to_owned)
     };
-    let meant = unknown
+    let meant: BTreeMap<&str, String> = unknown
         .keys()
         .filter_map(|group| Some((*group, near(group)?)))
         .collect();
     Some(Groups {
+        near: meant.values().cloned().collect(),
+        lost_categories: unknown.keys().map(|group| category_of(group)).collect(),
         offered,
         replaced,
         unknown,
@@ -158,6 +164,7 @@ fn take_renamed<'b, 'a>(
         if count < 2 {
             continue;
         }
+        let groups = lost.remove(wanted).unwrap_or_default();
         let sliders = groups
             .iter()
             .filter_map(|group| unknown.remove(group))
@@ -193,11 +200,7 @@ impl Groups<'_, '_> {
 
     /// Whether a slider that is not shown belongs to this category.
     pub(super) fn has_unknown_in(&self, category: &str) -> bool {
-        let mut from = self
-            .unknown
-            .range(category..)
-            .take_while(|(group, _)| group.starts_with(category));
-        from.any(|(group, _)| category_of(group) == category)
+        self.lost_categories.contains(category)
     }
 
     /// Whether some item shows a group of this category.
@@ -209,7 +212,7 @@ impl Groups<'_, '_> {
     pub(super) fn is_excused(&self, offered: &str) -> bool {
         self.unknown.contains_key("")
             || self.has_unknown_in(category_of(offered))
-            || self.meant.values().any(|meant| meant == offered)
+            || self.near.contains(offered)
     }
 }
 

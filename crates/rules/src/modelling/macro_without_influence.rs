@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cause::component::named_patterns;
+use super::super::cause::component::{Readers, named_patterns};
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Makehuman2, Confidence, Finding, Level, Place, RuleInfo, pointer};
 use mhlint_formats::macro_json::MacroFile;
-use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
+use mhlint_repo::makehuman2::{Base, Pattern, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -26,6 +26,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, macros)) = base.macro_file().filter(|(_, macros)| is_judged(macros)) else {
         return;
     };
+    let readers = Readers::of(macros, named_patterns);
     let mut faulty: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (file, _) in base
         .modelling
@@ -57,9 +58,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if bound.as_meant().has("macro_influence") && !is_empty {
             continue;
         }
+        let users = || -> Vec<usize> {
+            let users = readers.of_any(bound.pattern.names()).into_iter();
+            users.map(|macrodef| macrodef.index).collect()
+        };
         let confidence = match &bound.pattern {
             Pattern::Macro(_) => Confidence::High,
-            Pattern::Barycentric(_) if !users(macros, bound).is_empty() => Confidence::Medium,
+            Pattern::Barycentric(_) if !users().is_empty() => Confidence::Medium,
             _ => continue,
         };
         let (what, member) = if is_empty {
@@ -75,29 +80,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE
             .at(bound.file, place, message)
             .key(&slider.key)
-            .help(help(&users(macros, bound)));
+            .help(help(&users()));
         out.push(finding.confidence(confidence));
     }
-}
-
-/// Positions of the macro definitions with a component that reads the slider.
-fn users(macros: &MacroFile, bound: &BoundSlider<'_>) -> Vec<usize> {
-    let reads = |name: &String| {
-        let mut components = macros
-            .components
-            .iter()
-            .filter(|component| component.name == *name);
-        components.any(|one| {
-            named_patterns(one)
-                .iter()
-                .any(|pattern| bound.pattern.names().contains(pattern))
-        })
-    };
-    let using = macros
-        .macrodefs
-        .iter()
-        .filter(|macrodef| macrodef.components.iter().any(reads));
-    using.map(|macrodef| macrodef.index).collect()
 }
 
 fn help(users: &[usize]) -> String {

@@ -102,7 +102,7 @@ pub(super) fn nearest<'a>(
         .layers
         .strongest_first()
         .flat_map(|layer| layer.below(folder));
-    let free = files.filter(is_free);
+    let free = suggestions.looked_through(files).filter(is_free);
     suggestions.nearest_file(wanted, free.map(FileFacts::file_name))
 }
 

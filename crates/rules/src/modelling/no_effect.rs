@@ -1,12 +1,12 @@
 //! An entry must do something.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use super::super::cause::component::patterns;
+use super::super::cause::component::{Readers, patterns};
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
 use mhlint_diag::{Application::Makehuman2, EXAMPLES, Finding, Level, Place, RuleInfo};
-use mhlint_formats::macro_json::{Component, Macrodef};
+use mhlint_formats::macro_json::Macrodef;
 use mhlint_formats::modelling::EFFECTS;
 use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use mhlint_repo::{Reference, ReferenceKind};
@@ -26,6 +26,10 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let loaded = loaded(view, base);
+    let macros = base.macro_file().map(|(_, macros)| macros);
+    let readers = macros
+        .filter(|macros| !macros.is_too_large)
+        .map(|macros| Readers::of(macros, patterns));
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
         if EFFECTS.iter().any(|key| slider.has(key)) {
@@ -44,7 +48,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             .at(bound.file, Place::key([&slider.key]), message)
             .key(&slider.key)
             .help(help);
-        let lost = lost_macrodefs(base, bound);
+        let lost = readers
+            .iter()
+            .flat_map(|all| all.of_any(bound.meant.names()));
+        let lost: Vec<&Macrodef> = lost.collect();
         out.push(if lost.is_empty() {
             finding
         } else {
@@ -53,32 +60,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-/// The macro definitions that get no value without the slider that an entry was meant to be.
-fn lost_macrodefs<'b>(base: &'b Base<'_>, bound: &BoundSlider<'_>) -> Vec<&'b Macrodef> {
-    let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.is_too_large) else {
-        return Vec::new();
-    };
-    let meant = bound.meant.names();
-    let reads = |component: &Component| {
-        patterns(component)
-            .iter()
-            .any(|pattern| meant.contains(pattern))
-    };
-    let lost: BTreeSet<&str> = macros
-        .components
-        .iter()
-        .filter(|one| reads(one))
-        .map(|component| component.name.as_str())
-        .collect();
-    let is_lost = |macrodef: &&Macrodef| {
-        macrodef
-            .components
-            .iter()
-            .any(|name| lost.contains(name.as_str()))
-    };
-    macros.macrodefs.iter().filter(is_lost).collect()
-}
-
+/// What becomes of the macro definitions that get no value without the slider.
 fn never_applied(lost: &[&Macrodef]) -> String {
     let name = |macrodef: &&Macrodef| {
         macrodef.name.as_deref().map_or_else(

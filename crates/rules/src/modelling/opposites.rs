@@ -1,11 +1,13 @@
 //! A pair of targets makes a slider with two directions only if `base.json` declares its endings.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::FileFacts;
-use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
+use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, Undeclared, View, as_undeclared};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -54,19 +56,25 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 .iter()
                 .any(|slider| matches!(slider.pattern, Pattern::Pair(_)))
     };
+    let asked = asked(base);
     if is_one_cause && view.layers.is_checked(file) {
-        out.push(without_pairs(base, file, &settings.opposites, &undeclared));
+        let finding = without_pairs(file, &settings.opposites, &undeclared);
+        out.push(weigh(&asked, &undeclared, finding));
         return;
     }
+    let opposites = settings.opposites.iter();
+    let opposites = opposites
+        .map(|(decr, incr)| (decr.as_str(), incr.as_str()))
+        .collect();
     for (endings, sliders) in by_endings {
-        let found = of_endings(base, &settings.opposites, endings, &sliders);
+        let found = of_endings(&opposites, endings, &sliders);
+        let found = found.map(|finding| weigh(&asked, &sliders, finding));
         out.extend(found.map(|finding| finding.against(&file.path)));
     }
 }
 
 /// No slider at all has two directions: one thing to say, of `base.json`.
 fn without_pairs(
-    base: &Base<'_>,
     file: &FileFacts,
     opposites: &[(String, String)],
     sliders: &[&BoundSlider<'_>],
@@ -105,19 +113,14 @@ fn without_pairs(
         ),
     };
     let evidence = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
-    weigh(
-        base,
-        sliders,
-        RULE.at(file, place, message).help(help).evidence(evidence),
-    )
+    RULE.at(file, place, message).help(help).evidence(evidence)
 }
 
 /// A slider is saved under the names of its targets.
 const MODELS: &str = "; saved models then find these sliders by new names";
 
 fn of_endings(
-    base: &Base<'_>,
-    opposites: &[(String, String)],
+    opposites: &BTreeMap<&str, &str>,
     (decr, incr): (&str, &str),
     sliders: &[&BoundSlider<'_>],
 ) -> Option<Finding> {
@@ -135,11 +138,9 @@ fn of_endings(
             )
         }
     };
-    let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
-    let known = opposites.iter().find(|(d, _)| d == decr);
-    let help = if swapped {
+    let help = if opposites.get(incr) == Some(&decr) {
         format!("swap `incr` and `decr`{MODELS}")
-    } else if let Some((_, known)) = known {
+    } else if let Some(known) = opposites.get(decr) {
         // A second pair for the ending would take the place of the first.
         format!("use targets that belong together: `{decr}` goes with `{known}`")
     } else {
@@ -152,33 +153,30 @@ fn of_endings(
         .at(first.file, Place::pointer([key, "decr"]), message)
         .key(format!("{decr}/{incr}"))
         .help(help);
-    Some(weigh(
-        base,
-        sliders,
-        finding.evidence(Evidence::of_cases(
-            sliders.iter().map(|slider| &slider.slider.key),
-        )),
-    ))
+    let keys = sliders.iter().map(|slider| &slider.slider.key);
+    Some(finding.evidence(Evidence::of_cases(keys)))
 }
 
-/// Raises a finding where a left slider is looked up under the pattern that one of these would
-/// have: a pattern that is not there stops the randomizer
+/// The patterns of left sliders that are looked up and not there, which stops the randomizer
 /// (`docs/loaders/makehuman2/sliders.md#faults-of-sliders`). A right one is left out without a
 /// word.
-fn weigh(base: &Base<'_>, sliders: &[&BoundSlider<'_>], finding: Finding) -> Finding {
-    let mut lefts = base
-        .sliders
-        .iter()
-        .filter(|bound| bound.slider.rsym.is_none());
-    let is_met = lefts.any(|bound| {
-        let left = bound
-            .slider
-            .lsym
-            .as_deref()
-            .filter(|left| base.slider(left).is_none());
-        left.is_some_and(|left| sliders.iter().any(|slider| slider.would_register(left)))
-    });
-    if is_met {
+fn asked<'b>(base: &'b Base<'_>) -> BTreeSet<Undeclared<'b>> {
+    let sliders = base.sliders.iter().map(|bound| bound.slider);
+    let lefts = sliders
+        .filter(|slider| slider.rsym.is_none())
+        .filter_map(|slider| slider.lsym.as_deref());
+    let lost = lefts.filter(|left| base.slider(left).is_none());
+    lost.flat_map(as_undeclared).collect()
+}
+
+/// Raises a finding where the pattern that one of these would have is asked for.
+fn weigh(
+    asked: &BTreeSet<Undeclared<'_>>,
+    sliders: &[&BoundSlider<'_>],
+    finding: Finding,
+) -> Finding {
+    let mut patterns = sliders.iter().flat_map(|slider| slider.undeclared());
+    if patterns.any(|pattern| asked.contains(&pattern)) {
         finding.level(Level::Error).effect(HAS_PARTNERS)
     } else {
         finding

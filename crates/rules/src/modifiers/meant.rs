@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::RuleCx;
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 use mhlint_repo::makehuman1::{KnownModifier, View};
 
 /// Names that no modifier has, and the modifiers that seem to be meant by them.
@@ -71,13 +71,13 @@ impl<'v> Meant<'v> {
 /// The groups of no modifier that several sliders of a file name, with the group of modifiers that
 /// seems to be meant.
 pub(super) fn meant_groups<'v>(view: &'v View<'_>, cx: &RuleCx<'_>) -> BTreeMap<&'v str, &'v str> {
-    let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
+    let known = KnownGroups::of(view);
     let files = view.modifiers.sets.iter().filter_map(|set| set.sliders);
     let several = files.flat_map(|(_, sliders)| {
         let named = sliders.modifiers().map(|named| group_of(&named.name));
         let lost = grouped(
             named
-                .filter(|group| !known.contains(group))
+                .filter(|group| !known.all.contains(group))
                 .map(|group| (group, ())),
         );
         lost.into_iter()
@@ -86,21 +86,29 @@ pub(super) fn meant_groups<'v>(view: &'v View<'_>, cx: &RuleCx<'_>) -> BTreeMap<
             .collect::<BTreeSet<_>>()
     });
     several
-        .filter_map(|group| Some((group, near_group(group, &known, cx)?)))
+        .filter_map(|group| Some((group, known.near(group, cx)?)))
         .collect()
 }
 
-/// The group of modifiers that is meant by a name of none.
-pub(super) fn near_group<'k>(
-    group: &str,
-    known: &BTreeSet<&'k str>,
-    cx: &RuleCx<'_>,
-) -> Option<&'k str> {
-    let same = known
-        .iter()
-        .find(|known| known.eq_ignore_ascii_case(group))
-        .copied();
-    same.or_else(|| cx.suggestions.nearest(group, known.iter().copied()))
+/// The groups of all modifiers.
+pub(super) struct KnownGroups<'v> {
+    pub(super) all: BTreeSet<&'v str>,
+    in_lower_case: Grouped<String, &'v str>,
+}
+
+impl<'v> KnownGroups<'v> {
+    pub(super) fn of(view: &'v View<'_>) -> Self {
+        let all: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
+        let in_lower_case = grouped(all.iter().map(|group| (group.to_ascii_lowercase(), *group)));
+        Self { all, in_lower_case }
+    }
+
+    /// The one that is meant by a name of none.
+    pub(super) fn near(&self, group: &str, cx: &RuleCx<'_>) -> Option<&'v str> {
+        let same = self.in_lower_case.get(&group.to_ascii_lowercase());
+        let same = same.and_then(|same| same.first()).copied();
+        same.or_else(|| cx.suggestions.nearest(group, self.all.iter().copied()))
+    }
 }
 
 /// What stands in front of the name of a modifier.

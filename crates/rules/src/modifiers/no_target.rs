@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::{Meant, meant_groups};
-use super::spellings::{Spellings, Starts, help};
+use super::spellings::{Spellings, Starts, categories, help};
 use super::{LOST_FILE, LOST_TABS};
 use mhlint_diag::{
     Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped,
@@ -56,7 +56,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .iter()
             .any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
     };
-    let spellings = Spellings::of(view);
+    let (spellings, present) = (Spellings::of(view), categories(view));
     let others = view
         .modifiers
         .all
@@ -64,7 +64,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(|one| bare.get(one.modifier.group.as_str()).is_none());
     for one in others.filter(|one| !is_hidden(one)) {
         match &one.modifier.variable {
-            Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
+            Some(variable) => out.extend(macro_finding(&present, one, &variable.name)),
             None if one.modifier.tails.unpaired().is_none() => {
                 out.extend(finding(view, one, &meant, &spellings, cx));
             }
@@ -133,17 +133,14 @@ fn group_finding(starts: &Starts, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -
     })
 }
 
-fn macro_finding(view: &View<'_>, one: &KnownModifier<'_>, variable: &str) -> Option<Finding> {
+fn macro_finding(
+    present: &BTreeSet<(&str, &str)>,
+    one: &KnownModifier<'_>,
+    variable: &str,
+) -> Option<Finding> {
     let category = category(variable)?;
-    let targets = one
-        .parts
-        .iter()
-        .flat_map(|part| &part.targets)
-        .filter_map(|place| view.targets.at(*place));
-    let depends = targets
-        .into_iter()
-        .any(|target| target.name.value(category).is_some());
-    if depends {
+    let mut groups = one.parts.iter().map(|part| part.group.as_str());
+    if groups.any(|group| present.contains(&(group, category))) {
         return None;
     }
     let message = format!(

@@ -1,6 +1,6 @@
 //! A macro variable is set in one group.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
@@ -24,6 +24,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let mut first: BTreeMap<&str, &KnownModifier<'_>> = BTreeMap::new();
+    let known = view.modifiers.all.iter().map(|one| one.modifier);
+    let known = known.filter_map(|own| Some((&*own.variable.as_ref()?.name, &*own.group)));
+    let known: BTreeSet<(&str, &str)> = known.collect();
     for one in &view.modifiers.all {
         let Some((variable, category)) = one
             .modifier
@@ -49,21 +52,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Place::Pointer(earlier.modifier.pointer.clone()),
             "the first modifier for it",
         );
-        out.push(finding.help(help(view, &variable.name, &earlier.modifier.group)));
+        let (variable, group) = (variable.name.as_str(), earlier.modifier.group.as_str());
+        let is_there = known.contains(&(variable, group));
+        out.push(finding.help(help(is_there, variable, group)));
     }
 }
 
 /// A group has one modifier for a variable.
-fn help(view: &View<'_>, variable: &str, group: &str) -> String {
-    let is_there = |one: &KnownModifier<'_>| {
-        one.modifier.group == group
-            && one
-                .modifier
-                .variable
-                .as_ref()
-                .is_some_and(|own| own.name == variable)
-    };
-    if view.modifiers.all.iter().any(is_there) {
+fn help(is_there: bool, variable: &str, group: &str) -> String {
+    if is_there {
         format!(
             "remove the modifier with its slider and description: group `{group}` has one for \
                 `{variable}`"

@@ -91,10 +91,33 @@ pub(super) struct Starts {
     folded: BTreeMap<String, BTreeSet<String>>,
 }
 
+/// The categories that the targets of groups of macros depend on, each with its group.
+pub(super) fn categories<'v>(view: &'v View<'_>) -> BTreeSet<(&'v str, &'static str)> {
+    let macros = view
+        .modifiers
+        .all
+        .iter()
+        .filter(|one| one.modifier.variable.is_some());
+    let groups = macros
+        .flat_map(|one| &one.parts)
+        .map(|part| part.group.as_str());
+    let groups: BTreeSet<&str> = groups.collect();
+    let targets = groups.into_iter().flat_map(|group| {
+        let places = view.targets.of_group(group).iter();
+        places.filter_map(move |place| Some((group, view.targets.at(*place)?)))
+    });
+    targets
+        .flat_map(|(group, target)| target.name.categories().map(move |(own, _)| (group, own)))
+        .collect()
+}
+
+/// Words of a group for which others are looked for that begin like it.
+const MOST_WORDS: usize = 32;
+
 impl Starts {
     pub(super) fn of(view: &View<'_>, words: usize) -> Self {
         let mut folded: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        for group in view.targets.groups() {
+        for group in view.targets.groups().filter(|_| words <= MOST_WORDS) {
             let start = group.split('-').take(words).collect::<Vec<_>>().join("-");
             folded
                 .entry(start.to_ascii_lowercase())

@@ -1,10 +1,8 @@
 //! A slider sets a modifier that is loaded.
 
-use std::collections::BTreeSet;
-
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::LOST_TABS;
-use super::meant::{Meant, exchanged, group_of, near_group};
+use super::meant::{KnownGroups, Meant, exchanged, group_of};
 use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_formats::unfit::NamedAt;
 use mhlint_repo::FileFacts;
@@ -26,14 +24,14 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let meant = Meant::of(view, cx);
-    let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
+    let known = KnownGroups::of(view);
     for (place, set) in view.modifiers.sets.iter().enumerate() {
         let Some((file, sliders)) = set.sliders else {
             continue;
         };
         let (lost, others): (Vec<_>, Vec<_>) = sliders
             .modifiers()
-            .partition(|named| !known.contains(group_of(&named.name)));
+            .partition(|named| !known.all.contains(group_of(&named.name)));
         for (group, sliders) in
             grouped(lost.into_iter().map(|named| (group_of(&named.name), named)))
         {
@@ -56,7 +54,7 @@ fn of_group(
     file: &FileFacts,
     group: &str,
     sliders: &[&NamedAt],
-    known: &BTreeSet<&str>,
+    known: &KnownGroups<'_>,
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
     let first = sliders.first()?;
@@ -69,14 +67,8 @@ fn of_group(
         .key(format!("group {group}"));
     let evidence = Evidence::of_cases(sliders.iter().map(|named| named.name.as_str()));
     // The targets say which of the two names is right.
-    let has_targets = || {
-        let start = format!("{group}-");
-        view.targets
-            .groups()
-            .any(|own| own == group || own.starts_with(&start))
-    };
-    let help = match near_group(group, known, cx) {
-        Some(near) if has_targets() => {
+    let help = match known.near(group, cx) {
+        Some(near) if view.targets.has_group_from(group) => {
             format!("write `{group}` in place of `{near}` in the list of modifiers")
         }
         Some(near) => {

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
-use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use mhlint_diag::{
+    Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use mhlint_eval::measures::{DeadRange, Measures};
 use mhlint_formats::macro_json::{Component, MacroFile, Macrodef};
 use mhlint_repo::Body;
@@ -33,9 +35,12 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some((file, macros)) = body.macros else {
         return;
     };
-    for (number, macrodef) in macros.macrodefs.iter().enumerate() {
-        let checked = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);
-        let ranges: Vec<&DeadRange> = measures.macros.dead.iter().filter(checked).collect();
+    let dead = measures.macros.dead.iter();
+    for (number, ranges) in grouped(dead.map(|range| (range.macrodef, range))) {
+        let own = macros.macrodefs.get(number);
+        let Some(macrodef) = own.filter(|macrodef| is_sound(macros, macrodef)) else {
+            continue;
+        };
         let Some(parts) = ranges
             .iter()
             .map(|range| told(macros, range))

@@ -1,5 +1,7 @@
 //! The shape jumps where a slider passes a step.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, percent, title};
 use mhlint_diag::{
@@ -26,16 +28,16 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some((file, macros)) = body.macros else {
         return;
     };
-    let mut told: Vec<&str> = Vec::new();
+    let mut told: BTreeSet<&str> = BTreeSet::new();
     for jump in &measures.macros.jumps {
         let Some((macrodef, component)) = component(macros, jump.macrodef, jump.position) else {
             continue;
         };
         // Steps out of order or range are the cause then; a component jumps once, whatever uses it.
-        if !has_sound_steps(component) || told.contains(&component.name.as_str()) {
+        if !has_sound_steps(component) || told.contains(component.name.as_str()) {
             continue;
         }
-        told.push(&component.name);
+        told.insert(&component.name);
         let pattern = component.pattern.as_deref().unwrap_or_default();
         let message = format!(
             "macrodef `{}` jumps at `{pattern}` = {}: the weight of a target changes by {}",

@@ -5,7 +5,7 @@
 //! moves the thing most, because that is where an author can act. What a damaged target does to
 //! several things at once is told once: by the first rule in the order of [`Trouble`].
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use mhlint_diag::{Finding, Place};
 use mhlint_eval::measures::{Measures, Seen};
@@ -86,32 +86,47 @@ fn short(value: f64) -> String {
 /// What was seen, unless something graver was seen of the same target, or the setting moves a
 /// slider whose steps are at fault.
 fn untold<'m>(body: &Body<'_>, measures: &'m Measures, trouble: Trouble) -> Option<&'m Seen> {
-    let space = measures.space.as_ref()?;
-    gravest(space, trouble).filter(|seen| !is_of_unsound_steps(body, &seen.setting))
+    let mut all = all_untold(body, measures);
+    all.find(|(own, _)| *own == trouble).map(|(_, seen)| seen)
 }
 
-/// What was seen, unless something graver was seen of the same target.
-fn gravest(space: &BTreeMap<Trouble, Seen>, trouble: Trouble) -> Option<&Seen> {
-    let seen = space.get(&trouble)?;
-    let same = |other: &Seen| other.target.is_some() && other.target == seen.target;
-    (!space.range(..trouble).any(|(_, other)| same(other))).then_some(seen)
+/// All that was seen, with the same exceptions.
+fn all_untold<'m>(
+    body: &Body<'_>,
+    measures: &'m Measures,
+) -> impl Iterator<Item = (Trouble, &'m Seen)> {
+    let unsound = unsound_patterns(body);
+    let is_sound = move |setting: &[SliderSetting]| {
+        !setting
+            .iter()
+            .any(|(slider, _)| unsound.contains(slider.as_str()))
+    };
+    let seen = measures.space.iter().flat_map(gravest);
+    seen.filter(move |(_, seen)| is_sound(&seen.setting))
 }
 
-/// Whether a setting moves a slider of a component whose steps have a finding of their own: outside
-/// of them, weights go to any size.
-fn is_of_unsound_steps(body: &Body<'_>, setting: &[SliderSetting]) -> bool {
+/// What was seen, without what is less grave than something else of the same target.
+fn gravest(space: &BTreeMap<Trouble, Seen>) -> impl Iterator<Item = (Trouble, &Seen)> {
+    let mut targets: BTreeSet<&str> = BTreeSet::new();
+    let seen = space.iter().map(|(trouble, seen)| (*trouble, seen));
+    seen.filter(move |(_, seen)| {
+        let target = seen.target.as_deref();
+        target.is_none_or(|target| targets.insert(target))
+    })
+}
+
+/// Patterns of the components whose steps have a finding of their own: outside of them, weights go
+/// to any size.
+fn unsound_patterns<'v>(body: &Body<'v>) -> BTreeSet<&'v str> {
     let components = body
         .macros
-        .map(|(_, file)| file.components.as_slice())
-        .unwrap_or_default();
-    let mut unsound = components
-        .iter()
-        .filter(|component| component.steps.is_some() && !has_sound_steps(component));
-    unsound.any(|component| {
-        setting
-            .iter()
-            .any(|(slider, _)| component.pattern.as_ref() == Some(slider))
-    })
+        .into_iter()
+        .flat_map(|(_, file)| &file.components);
+    let unsound =
+        components.filter(|component| component.steps.is_some() && !has_sound_steps(component));
+    unsound
+        .filter_map(|component| component.pattern.as_deref())
+        .collect()
 }
 
 /// A component of a macrodef by its position in `comp`.
@@ -162,9 +177,8 @@ mod tests {
         let space = space
             .map(|(trouble, target)| (trouble, seen(target)))
             .into();
-        assert!(gravest(&space, Trouble::ShortBone).is_some());
-        assert!(gravest(&space, Trouble::FlatPlane).is_some());
-        assert!(gravest(&space, Trouble::Drifted).is_none());
+        let told: Vec<Trouble> = gravest(&space).map(|(trouble, _)| trouble).collect();
+        assert_eq!(told, [Trouble::ShortBone, Trouble::FlatPlane]);
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! An asset that leaves the body at some setting.
 
+use std::collections::BTreeMap;
+
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{to_see, untold};
+use super::{all_untold, to_see};
 use mhlint_diag::{
     Application::Makehuman2, Confidence, Evidence, Finding, Grows, Level, MeasureKind, Place,
     RuleInfo,
@@ -27,15 +29,14 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(space) = &measures.space else { return };
-    for trouble in space
-        .keys()
-        .filter(|trouble| matches!(trouble, Trouble::Detached(_)))
-    {
-        let Some(seen) = untold(body, measures, *trouble) else {
+    let worn = body.worn.iter().rev();
+    let worn: BTreeMap<&str, &Worn<'_>> =
+        worn.map(|worn| (worn.file.path.as_str(), worn)).collect();
+    for (trouble, seen) in all_untold(body, measures) {
+        if !matches!(trouble, Trouble::Detached(_)) {
             continue;
-        };
-        let own = body.worn.iter().find(|worn| worn.file.path == seen.name);
+        }
+        let own = worn.get(seen.name.as_str());
         // A vertex that leaves its neighbours already on the mesh as it is has a finding of its
         // own.
         let is_told = measures.worn.get(&seen.name).is_some_and(|measure| {

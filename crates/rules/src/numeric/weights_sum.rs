@@ -1,5 +1,7 @@
 //! Weights of a component must add up to one.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
 use mhlint_diag::{
@@ -29,17 +31,16 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some((file, macros)) = body.macros else {
         return;
     };
-    let mut told: Vec<&str> = Vec::new();
+    let mut told: BTreeSet<&str> = BTreeSet::new();
     for off in &measures.macros.sums {
         let Some((macrodef, component)) = component(macros, off.macrodef, off.position) else {
             continue;
         };
         let name = component.name.as_str();
         // A component is wrong once, whatever uses it.
-        if told.contains(&name) || !is_unexplained(component) {
+        if !is_unexplained(component) || !told.insert(name) {
             continue;
         }
-        told.push(name);
         let at = match off.at {
             Some(at) => format!(
                 "at `{}` = {at}",

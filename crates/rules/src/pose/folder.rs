@@ -1,11 +1,13 @@
 //! A stored pose of MPFB lies in the folder of a rig.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::mpfb_rigs::RIGS;
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, nearest};
 use mhlint_discover::Kind;
 use mhlint_repo::FileFacts;
-use mhlint_repo::mpfb::{POSE_ENDINGS, RigFile, RigPart, View, rig_of_pose};
+use mhlint_repo::mpfb::{POSE_ENDINGS, RigPart, View, rig_of_pose};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never offers the poses")],
@@ -20,9 +22,11 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let poses = view.own(Kind::StoredPose).filter(|file| !file.is_loose);
     let poses = poses.filter(|file| file.stored_pose().is_some_and(|pose| pose.is_pose));
+    let rigs = view.rigs.iter().filter(|rig| rig.part != RigPart::Asset);
+    let rigs: BTreeSet<&str> = rigs.map(|rig| rig.name).collect();
     for (folder, files) in grouped(poses.map(|file| (mhlint_repo::parent(&file.rel), file))) {
         let right = match rig_of_pose(files.first().map_or("", |file| &file.rel)) {
-            Some(rig) => match other_rig(rig, view) {
+            Some(rig) => match other_rig(rig, &rigs) {
                 Some(right) => renamed(folder, rig, right),
                 None => continue,
             },
@@ -33,10 +37,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// The rig that is meant by one that does not exist.
-fn other_rig(rig: &str, view: &View<'_>) -> Option<&'static str> {
+fn other_rig(rig: &str, rigs: &BTreeSet<&str>) -> Option<&'static str> {
     let known = || RIGS.iter().map(|(name, _)| *name);
-    let is_own = |own: &RigFile<'_>| own.name == rig && own.part != RigPart::Asset;
-    if known().any(|name| name == rig) || view.rigs.iter().any(is_own) {
+    if known().any(|name| name == rig) || rigs.contains(rig) {
         return None;
     }
     // No rig has a dash in its name.

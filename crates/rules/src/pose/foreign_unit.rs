@@ -1,6 +1,5 @@
 //! Units that are known elsewhere: those of the other folder, and old ones of the tongue.
 
-use super::names;
 use mhlint_repo::{Body, BodyPose};
 
 /// Units of older versions that are lost, and what to write instead.
@@ -33,9 +32,7 @@ pub(super) fn help(body: &Body<'_>, pose: &BodyPose<'_>, unit: &str) -> Option<S
     };
     let mut others = body.pose_units.iter().filter(|units| units.category != own);
     let other = others.find(|units| {
-        units
-            .units
-            .is_some_and(|(_, units)| names(units).contains(unit))
+        units.units.is_some() && units.names().is_some_and(|(_, names)| names.contains(unit))
     })?;
     Some(format!(
         "move the file to `{}/{}`: the unit is one of {}",

@@ -45,6 +45,7 @@ enum Fault {
 }
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut known: BTreeMap<bool, BTreeMap<&str, &Unit>> = BTreeMap::new();
     for pose in &body.poses {
         if body.is_makehuman1() {
             out.extend(of_frames(body, pose));
@@ -53,11 +54,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some((file, units)) = body.units_of(pose) else {
             continue;
         };
-        let by_name: BTreeMap<&str, &Unit> = units
-            .units
-            .iter()
-            .map(|unit| (unit.name.as_str(), unit))
-            .collect();
+        let by_name = known.entry(pose.is_expression).or_insert_with(|| {
+            let units = units.units.iter();
+            units.map(|unit| (unit.name.as_str(), unit)).collect()
+        });
         let values = pose.pose.values.iter();
         let unit = |one: &UnitValue| {
             by_name

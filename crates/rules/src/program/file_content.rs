@@ -60,10 +60,11 @@ fn support(
     if keys.contains(key) {
         return None;
     }
-    let addresses = keys
-        .iter()
-        .map(|key| key.starts_with("url_").then_some(*key));
-    let near = cx.suggestions.nearest_of_wanted(key, addresses);
+    let addresses = cx
+        .suggestions
+        .looked_through(keys.iter().copied())
+        .filter(|key| key.starts_with("url_"));
+    let near = cx.suggestions.nearest(key, addresses);
     let message = format!("`{key}` of `{label}` is not a key of this file");
     let finding = RULE
         .at(file, Place::pointer(["support_urls", label]), message)

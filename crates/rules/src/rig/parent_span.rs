@@ -1,5 +1,7 @@
 //! A constraint of a sub-rig that names two joints of the body means one bone of the body rig.
 
+use std::cell::LazyCell;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::located::{Figure, Placed, apart, placed};
 use super::{STOPS, at_bones, has_asset, stops};
@@ -33,6 +35,7 @@ const NEAR: f64 = 0.01;
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let figure = Figure::of(view);
     let joints = figure.as_ref().map(Figure::joints);
+    let of_body = LazyCell::new(|| ends_of_body(view, joints.as_ref()));
     for (file, rig) in view.own_rigs() {
         let bound = rig
             .bones
@@ -58,7 +61,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             // Without a `subtarget` MPFB does not look for the bone.
             if let (Target::Span(_, head, tail), Some(_)) = (target, subtarget) {
                 out.extend(unknown(file, rig, bone, [head, tail], joints, cx));
-                out.extend(several(view, file, rig, bone, [head, tail], joints));
+                out.extend(several(&of_body, file, rig, bone, [head, tail], joints));
             }
         }
     }
@@ -96,10 +99,22 @@ fn unknown(
     )
 }
 
+/// The ends of the bones of each rig of the body, those farthest on the right first.
+fn ends_of_body<'v>(view: &'v View<'_>, joints: Option<&Joints<'_>>) -> Vec<(&'v str, Vec<Ends>)> {
+    let of_body = view.rigs.iter().filter(|rig| rig.part == RigPart::Standard);
+    let ends = |rig: &'v RigFile<'_>| {
+        let bones = placed(rig.definition()?, joints?);
+        let mut ends: Vec<Ends> = bones.iter().filter_map(Placed::ends).collect();
+        ends.sort_by(|(one, _), (other, _)| one[0].total_cmp(&other[0]));
+        Some((rig.name, ends))
+    };
+    of_body.filter_map(ends).collect()
+}
+
 /// A finding if the rig of a body has several bones between the two joints, and no single bone from
 /// the one to the other.
 fn several(
-    view: &View<'_>,
+    of_body: &[(&str, Vec<Ends>)],
     file: &RigFile<'_>,
     rig: &Rig,
     bone: &RigBone,
@@ -107,15 +122,8 @@ fn several(
     joints: &Joints<'_>,
 ) -> Option<Finding> {
     let (from, to) = (joints.cube(head)?, joints.cube(tail)?);
-    let of_body = view.rigs.iter().filter(|rig| rig.part == RigPart::Standard);
-    let spanned = |of_body: &&RigFile<'_>| {
-        let bones = of_body
-            .definition()
-            .map(|rig| placed(rig, joints))
-            .unwrap_or_default();
-        is_chain(&bones, from, to)
-    };
-    let wrong: Vec<&str> = of_body.filter(spanned).map(|rig| rig.name).collect();
+    let spanned = of_body.iter().filter(|(_, ends)| is_chain(ends, from, to));
+    let wrong: Vec<&str> = spanned.map(|(name, _)| *name).collect();
     let first = wrong.first()?;
     let message = format!(
         "from `{head}` to `{tail}` in a constraint of bone `{}` lies more than one bone of the \
@@ -130,15 +138,20 @@ fn several(
     ))
 }
 
+/// Where a bone begins and ends.
+type Ends = (Vec3, Vec3);
+
 /// The longest chain of bones that is followed, and the most places that are followed at once.
 const LONGEST: usize = 64;
 
 /// Whether several bones, each beginning where another ends, lead from one place to another, and no
 /// single bone does.
-fn is_chain(bones: &[Placed<'_>], from: Vec3, to: Vec3) -> bool {
-    let ends: Vec<(Vec3, Vec3)> = bones.iter().filter_map(Placed::ends).collect();
+fn is_chain(ends: &[Ends], from: Vec3, to: Vec3) -> bool {
     let next = |at: Vec3| {
+        let start = ends.partition_point(|(head, _)| head[0] < at[0] - NEAR);
         ends.iter()
+            .skip(start)
+            .take_while(move |(head, _)| head[0] <= at[0] + NEAR)
             .filter(move |(head, _)| apart(*head, at) < NEAR)
             .map(|(_, tail)| *tail)
     };

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::ends::{AT_DEFAULT, ends, has_place};
 use super::{STOPS, at_bones, stops};
-use mhlint_diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use mhlint_diag::{Application::Mpfb, Finding, Grouped, Level, RuleInfo, grouped};
 use mhlint_formats::rig::{End, Rig, RigBone, Strategy};
 use mhlint_repo::mpfb::{RigFile, View};
 
@@ -37,13 +37,15 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if joints.is_empty() {
         return;
     }
+    let in_lower_case = grouped(joints.iter().map(|name| (name.to_ascii_lowercase(), *name)));
+    let known = (&joints, &in_lower_case);
     for (file, rig) in view.own_rigs() {
         let is_unknown = |end: &End| matches!(&end.strategy, Strategy::Cube(name) if !joints.contains(&**name) && !lost.contains(&**name));
         for has_default in [false, true] {
             let found =
                 ends(rig).filter(|(.., end)| is_unknown(end) && has_place(end) == has_default);
             let found: Vec<(&RigBone, &'static str, &End)> = found.collect();
-            out.extend(finding(file, rig, &found, has_default, &joints, cx));
+            out.extend(finding(file, rig, &found, has_default, known, cx));
         }
     }
 }
@@ -53,7 +55,7 @@ fn finding(
     rig: &Rig,
     found: &[(&RigBone, &'static str, &End)],
     has_default: bool,
-    joints: &BTreeSet<&str>,
+    (joints, in_lower_case): (&BTreeSet<&str>, &Grouped<String, &str>),
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
     let (bone, which, end) = found.first()?;
@@ -65,10 +67,8 @@ fn finding(
         "joint `{name}` of `{which}` of bone `{}` does not exist{more}",
         bone.name
     );
-    let near = joints
-        .iter()
-        .find(|joint| joint.eq_ignore_ascii_case(name))
-        .copied();
+    let in_other_case = in_lower_case.get(&name.to_ascii_lowercase());
+    let near = in_other_case.and_then(|same| same.first()).copied();
     let near = near.or_else(|| cx.suggestions.nearest(name, joints.iter().copied()));
     let bones: Vec<&str> = found.iter().map(|(bone, ..)| bone.name.as_str()).collect();
     let finding = at_bones(&RULE, file, rig, &bones, which, message)?;

@@ -46,14 +46,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)))
             .filter_map(|(bone, one)| Some((bone, one, lack(bone, one, &known, parents.as_ref())?)))
             .collect();
-        let of_parents = parents.iter().flatten().copied();
-        out.extend(finding(
-            file,
-            rig,
-            &found,
-            &known.into_iter().chain(of_parents).collect(),
-            cx,
-        ));
+        out.extend(finding(file, rig, &found, (&known, parents.as_ref()), cx));
     }
 }
 
@@ -102,9 +95,16 @@ fn finding(
     file: &RigFile<'_>,
     rig: &Rig,
     found: &[(&RigBone, &Constraint, Lack<'_>)],
-    known: &BTreeSet<&str>,
+    (known, of_parents): (&BTreeSet<&str>, Option<&BTreeSet<&str>>),
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
+    let names = || {
+        known
+            .iter()
+            .chain(of_parents.into_iter().flatten())
+            .copied()
+    };
+    let near = |name: &str| cx.suggestions.nearest(name, names());
     let (bone, constraint, lack) = found.first()?;
     let subject = format!("{} of bone `{}`", constraint.kind, bone.name);
     let more = such(found.len(), "constraints");
@@ -118,14 +118,14 @@ fn finding(
             "name a bone of the rig".to_owned(),
         ),
         Lack::Unknown(name) => {
-            let near = cx.suggestions.nearest(name, known.iter().copied());
+            let near = near(name);
             (
                 format!("{subject} is bound to bone `{name}`, which does not exist{more}"),
                 did_you_mean(near, "name a bone of the rig"),
             )
         }
         Lack::OfParent(name) => {
-            let near = cx.suggestions.nearest(name, known.iter().copied());
+            let near = near(name);
             (
                 format!(
                     "{subject} is bound to bone `{name}` of the rig of the body, which no rig \

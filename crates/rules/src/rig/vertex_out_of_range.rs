@@ -3,10 +3,10 @@
 use super::super::{Check, Rule, RuleCx, such};
 use super::ends::{AT_DEFAULT, ends, has_place};
 use super::{STOPS, at_bones, stops};
-use mhlint_diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
+use mhlint_diag::{Application::Mpfb, Case, Finding, Grouped, Level, RuleInfo, grouped};
 use mhlint_formats::rig::{End, Rig, RigBone, Strategy};
 use mhlint_repo::mpfb::{RigFile, RigPart, View};
-use mhlint_repo::parent;
+use mhlint_repo::{Worn, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
@@ -26,8 +26,12 @@ const FROM_THE_END: Case = &[(
 )];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let assets = view.worn_anywhere();
+    let assets = assets.map(|worn| ((parent(&worn.file.rel), worn.file.stem()), worn));
+    let assets: Assets<'_> = grouped(assets);
     for (file, rig) in view.own_rigs() {
-        let Some(count) = vertices(view, file).and_then(|count| i64::try_from(count).ok()) else {
+        let Some(count) = vertices(view, &assets, file).and_then(|count| i64::try_from(count).ok())
+        else {
             continue;
         };
         for key in ["without default", "default", "negative"] {
@@ -47,20 +51,19 @@ fn sort(end: &End, count: i64) -> Option<&'static str> {
     }
 }
 
+/// Worn assets by folder and name.
+type Assets<'a> = Grouped<(&'a str, &'a str), &'a Worn<'a>>;
+
 /// The number of vertices of the mesh that a rig refers to.
-fn vertices(view: &View<'_>, file: &RigFile<'_>) -> Option<usize> {
+fn vertices(view: &View<'_>, assets: &Assets<'_>, file: &RigFile<'_>) -> Option<usize> {
     if file.part != RigPart::Asset {
         let (_, mesh) = view
             .mesh
             .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
         return Some(mesh.facts.vertices);
     }
-    let is_own =
-        |asset: &str, stem: &str| asset == parent(&file.file.rel) && stem == file.file.stem();
-    let asset = view
-        .worn_anywhere()
-        .find(|worn| is_own(parent(&worn.file.rel), worn.file.stem()))?;
-    Some(asset.mesh()?.1.facts.vertices)
+    let own = assets.get(&(parent(&file.file.rel), file.file.stem()))?;
+    Some(own.first()?.mesh()?.1.facts.vertices)
 }
 
 fn listed(end: &End) -> impl Iterator<Item = i64> {

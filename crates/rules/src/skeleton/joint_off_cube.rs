@@ -48,12 +48,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .enumerate()
         .flat_map(|(cube, (_, all))| all.iter().map(move |vertex| (*vertex, cube)))
         .collect();
+    let of_joints: BTreeSet<&str> = cubes.iter().filter_map(of_joint).collect();
     for rig in rigs(body) {
-        out.extend(exchanged(rig.file, &rig.skeleton.joints, &cubes, &cube_of));
-        let joints = rig.skeleton.joints.iter();
-        let off: Vec<OffCube<'_>> = joints
-            .filter_map(|joint| off_cube(joint, &cubes, &cube_of, count))
-            .collect();
+        let joints = &rig.skeleton.joints;
+        out.extend(exchanged(rig.file, joints, (&cubes, &of_joints), &cube_of));
+        let off = |joint| off_cube(joint, &cubes, &cube_of, count);
+        let off: Vec<OffCube<'_>> = joints.iter().filter_map(off).collect();
         let Some((joint, cube, listed, all)) = off.first() else {
             continue;
         };
@@ -85,19 +85,20 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// The joint that a cube is named after.
+fn of_joint((name, _): &(String, Vec<u32>)) -> Option<&str> {
+    name.strip_prefix("joint-")
+}
+
 /// Joints that list the whole cube of one another, where each has a cube of its own name. Where
 /// most do, it is the order of the mesh (`mesh-vertex-order`).
 fn exchanged(
     file: &FileFacts,
     joints: &[Joint],
-    cubes: &[(String, Vec<u32>)],
+    (cubes, of_joints): (&[(String, Vec<u32>)], &BTreeSet<&str>),
     cube_of: &BTreeMap<u32, usize>,
 ) -> Option<Finding> {
-    let named = |cube: usize| {
-        cubes
-            .get(cube)
-            .and_then(|(name, _)| name.strip_prefix("joint-"))
-    };
+    let named = |cube: usize| cubes.get(cube).and_then(of_joint);
     let whole = |joint: &Joint| {
         let touched = touched(joint.vertices.as_deref()?.iter().copied(), cube_of);
         let (cube, count) = touched.first_key_value().filter(|_| touched.len() == 1)?;
@@ -111,8 +112,7 @@ fn exchanged(
         .iter()
         .filter_map(|one| Some((one.name.as_str(), whole(one)?)))
         .collect();
-    let cubes_by_name: BTreeSet<&str> = (0..cubes.len()).filter_map(named).collect();
-    let has_cube = |joint: &str| cubes_by_name.contains(joint);
+    let has_cube = |joint: &str| of_joints.contains(joint);
     let strays = |joint: &str| lists.get(joint).is_some_and(|other| *other != joint);
     let exchanged = lists
         .iter()

@@ -5,8 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Rule, RuleCx, did_you_mean, such};
 use super::rigs;
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place};
-use mhlint_formats::mhskel::Skeleton;
-use mhlint_formats::obj::Group;
 use mhlint_repo::Body;
 
 const SINGULAR: Case = &[(
@@ -100,16 +98,12 @@ pub(super) fn unknown_joints(
     }
 }
 
-/// Whether an end of a bone is somewhere: a joint of its skeleton, or a group of the mesh.
-pub(super) fn is_placed(body: &Body<'_>, skeleton: &Skeleton, name: &str) -> bool {
-    let is_joint = skeleton
-        .joints
-        .iter()
-        .any(|joint| joint.name == name && joint.listed > 0);
-    let is_group =
-        |group: &Group| group.name == name || group.name.strip_prefix("joint-") == Some(name);
-    is_joint
-        || body
-            .mesh
-            .is_some_and(|(_, mesh)| mesh.groups.iter().any(is_group))
+/// Names by which ends of bones may ask for groups of the mesh.
+pub(super) fn joints_of_mesh<'v>(body: &Body<'v>) -> BTreeSet<&'v str> {
+    let groups = body.mesh.into_iter().flat_map(|(_, mesh)| &mesh.groups);
+    let names = groups.map(|group| group.name.as_str());
+    names
+        .flat_map(|name| [Some(name), name.strip_prefix("joint-")])
+        .flatten()
+        .collect()
 }

@@ -1,5 +1,7 @@
 //! The weights of a skeleton must be found.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
 use mhlint_diag::{
@@ -26,6 +28,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let weights = body.weights.iter().map(|own| own.file.rel.as_str());
+    let weights: BTreeSet<&str> = weights.collect();
     for rig in rigs(body) {
         let missing =
             |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
@@ -45,7 +49,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             "{unnamed}weights file `{}` does not exist in `{folder}`",
             reference.text
         );
-        let help = help(body, &rig, (folder, reference.text), cx);
+        let help = help(&weights, &rig, (folder, reference.text), cx);
         out.push(
             RULE.at(rig.file, reference.place.clone(), message)
                 .help(help),
@@ -53,24 +57,27 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn help(body: &Body<'_>, rig: &Rig<'_>, (root, text): (&str, &str), cx: &RuleCx<'_>) -> String {
+fn help(
+    weights: &BTreeSet<&str>,
+    rig: &Rig<'_>,
+    (root, text): (&str, &str),
+    cx: &RuleCx<'_>,
+) -> String {
     let below = rig
         .file
         .rel
         .strip_prefix(root)
         .and_then(|rest| rest.rsplit_once('/'));
-    let all: Vec<&str> = body
-        .weights
-        .iter()
-        .filter_map(|own| own.file.rel.strip_prefix(root))
-        .collect();
     if let Some((folder, _)) = below
-        && all.iter().any(|name| *name == format!("{folder}/{text}"))
+        && weights.contains(&*format!("{root}{folder}/{text}"))
     {
         return format!("write `{folder}/{text}`: the file is in the folder of the skeleton");
     }
+    let below_root = weights
+        .range(root..)
+        .map_while(|rel| rel.strip_prefix(root));
     did_you_mean(
-        cx.suggestions.nearest(text, all.iter().copied()),
+        cx.suggestions.nearest(text, below_root),
         format!("move the file into `{root}`, or name a file that exists there"),
     )
 }

@@ -1,6 +1,6 @@
 //! Every skeleton of a base has a name of its own.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
@@ -22,13 +22,14 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_name: BTreeMap<&str, Vec<Rig<'_>>> = BTreeMap::new();
+    let mut seen = BTreeSet::new();
     for rig in rigs(body) {
         let Some(name) = rig.skeleton.name.as_deref().filter(|name| !name.is_empty()) else {
             continue;
         };
         let same_name = by_name.entry(name).or_default();
         // Layers come strongest first: a file at the same path is the one that this one replaces.
-        if same_name.iter().all(|other| other.file.rel != rig.file.rel) {
+        if seen.insert((name, rig.file.rel.as_str())) {
             same_name.push(rig);
         }
     }

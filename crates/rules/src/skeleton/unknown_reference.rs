@@ -111,13 +111,11 @@ fn of_makehuman1(body: &Body<'_>, known: &BTreeSet<&str>, cx: &RuleCx<'_>, out: 
         .filter(|bone| bone.listed > 0)
         .map(|bone| bone.name.as_str())
         .collect();
-    let all = remapped(body);
-    let loses = |rig: &Rig<'_>| {
-        let own = all.iter().find(|one| std::ptr::eq(one.rig.file, rig.file));
-        own.is_some_and(|own| own.untaken.iter().any(|bone| weighted.contains(bone)))
-    };
+    let all = remapped(body).into_iter();
+    let losing = all.filter(|own| own.untaken.iter().any(|bone| weighted.contains(bone)));
+    let losing: BTreeSet<&str> = losing.map(|own| own.rig.file.path.as_str()).collect();
     for rig in rigs(body).filter(|rig| !rig.own.is_default) {
-        let is_losing = loses(&rig);
+        let is_losing = losing.contains(rig.file.path.as_str());
         let mut found: BTreeMap<u8, Vec<(&str, &str, &str)>> = BTreeMap::new();
         for bone in &rig.skeleton.bones {
             let stopping = bone

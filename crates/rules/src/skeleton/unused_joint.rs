@@ -50,12 +50,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Joints named after a bone that is missing where others name it as their parent were that
         // bone's.
         let missing = hierarchy(rig.skeleton).unknown_parents;
-        let begins = |name: &str, end: usize| {
-            name.get(..end)
-                .is_some_and(|begin| missing.contains_key(begin))
-        };
-        let is_of_missing =
-            |name: &str| !missing.is_empty() && (1..=name.len()).any(|end| begins(name, end));
+        let missing: BTreeSet<&str> = missing.into_keys().collect();
         let mut ends: BTreeMap<&str, usize> = BTreeMap::new();
         for end in rig
             .skeleton
@@ -66,7 +61,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         {
             *ends.entry(end).or_default() += 1;
         }
-        let unused = filled.filter(|name| !used.contains(name) && !is_of_missing(name));
+        let unused = filled.filter(|name| !used.contains(name) && !begins_with_one(&missing, name));
         let unused: Vec<&str> = unused
             .filter(|name| !has_busy_partner(&ends, name))
             .collect();
@@ -95,6 +90,27 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .evidence(Evidence::of_cases(&unused).out_of(joints.len())),
         );
     }
+}
+
+/// Whether a name begins with one of several others. One that is not the beginning of the name is
+/// followed by it from the first letter on in which they differ, and every shorter beginning comes
+/// before both.
+fn begins_with_one(others: &BTreeSet<&str>, name: &str) -> bool {
+    let mut left = name;
+    while let Some(other) = others
+        .range(..=left)
+        .next_back()
+        .filter(|own| !own.is_empty())
+    {
+        let same = left.chars().zip(other.chars());
+        let same = same.take_while(|(one, other)| one == other);
+        let end: usize = same.map(|(one, _)| one.len_utf8()).sum();
+        if end == other.len() {
+            return true;
+        }
+        left = left.get(..end).unwrap_or_default();
+    }
+    false
 }
 
 /// Whether several bones begin or end at the joint of the other side: one of them was meant for

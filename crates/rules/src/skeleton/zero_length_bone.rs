@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, bones_in_words};
-use super::joint_or_group::is_placed;
+use super::joint_or_group::joints_of_mesh;
 use super::measured::{Measured, NO_LENGTH, measured};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -37,11 +37,15 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const OF_LEAF: Case = &[(Makehuman1, Level::Info, "loads it: no bone hangs below it")];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let of_mesh = joints_of_mesh(body);
     for rig in measured(body, measures) {
+        let joints = rig.skeleton.joints.iter();
+        let filled = joints.filter(|joint| joint.listed > 0);
+        let own: BTreeSet<&str> = filled.map(|joint| joint.name.as_str()).collect();
         // Ends that are nowhere are told themselves, and so is a mesh without joints.
         let is_placed = |end: &Option<String>| {
-            let is_at = |name: &String| is_placed(body, rig.skeleton, name);
-            !body.is_makehuman1() || end.as_ref().is_some_and(is_at)
+            let is_at = |name: &str| own.contains(name) || of_mesh.contains(name);
+            !body.is_makehuman1() || end.as_deref().is_some_and(is_at)
         };
         let short = rig
             .bones()

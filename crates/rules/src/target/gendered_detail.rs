@@ -1,5 +1,7 @@
 //! A detail does not depend on some values of a macro alone.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx, enumerated};
 use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use mhlint_formats::target::name::CATEGORIES;
@@ -27,46 +29,54 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .all
         .iter()
         .filter(|one| one.modifier.variable.is_none());
+    let mut told: BTreeMap<&str, Vec<Finding>> = BTreeMap::new();
     for part in details.flat_map(|one| &one.parts) {
-        let targets: Vec<&NamedTarget<'_>> = part
-            .targets
-            .iter()
-            .filter_map(|place| view.targets.at(*place))
-            .collect();
-        for (category, words) in CATEGORIES {
-            let values: Vec<&str> = words
-                .iter()
-                .copied()
-                .filter(|word| {
-                    targets
-                        .iter()
-                        .any(|target| target.name.value(category) == Some(word))
-                })
-                .collect();
-            let Some(first) = targets
-                .iter()
-                .find(|target| target.name.value(category).is_some())
-            else {
-                continue;
-            };
-            if values.len() == words.len() {
-                continue;
-            }
-            let quoted: Vec<String> = values.iter().map(|value| format!("`{value}`")).collect();
-            let message = format!(
-                "depends on {category}: there is a target for {} alone",
-                enumerated(&quoted)
-            );
-            let finding = RULE.at(first.file, Place::File, message).key(category);
-            let others: Vec<&str> = words
-                .iter()
-                .copied()
-                .filter(|word| !values.contains(word))
-                .collect();
-            out.push(finding.help(format!(
-                "rename it, or add targets for {}",
-                enumerated(&others)
-            )));
-        }
+        let of_group = || findings(view, &part.targets);
+        let found = told.entry(&part.group).or_insert_with(of_group);
+        out.extend(found.iter().cloned());
     }
+}
+
+fn findings(view: &View<'_>, places: &[usize]) -> Vec<Finding> {
+    let targets: Vec<&NamedTarget<'_>> = places
+        .iter()
+        .filter_map(|place| view.targets.at(*place))
+        .collect();
+    let mut found = Vec::new();
+    for (category, words) in CATEGORIES {
+        let values: Vec<&str> = words
+            .iter()
+            .copied()
+            .filter(|word| {
+                targets
+                    .iter()
+                    .any(|target| target.name.value(category) == Some(word))
+            })
+            .collect();
+        let Some(first) = targets
+            .iter()
+            .find(|target| target.name.value(category).is_some())
+        else {
+            continue;
+        };
+        if values.len() == words.len() {
+            continue;
+        }
+        let quoted: Vec<String> = values.iter().map(|value| format!("`{value}`")).collect();
+        let message = format!(
+            "depends on {category}: there is a target for {} alone",
+            enumerated(&quoted)
+        );
+        let finding = RULE.at(first.file, Place::File, message).key(category);
+        let others: Vec<&str> = words
+            .iter()
+            .copied()
+            .filter(|word| !values.contains(word))
+            .collect();
+        found.push(finding.help(format!(
+            "rename it, or add targets for {}",
+            enumerated(&others)
+        )));
+    }
+    found
 }

@@ -54,21 +54,18 @@ pub(super) fn macro_groups<'v>(view: &'v View<'_>) -> Vec<MacroGroup<'v>> {
         if used.contains_key(&place) || !target.name.is_macro() {
             continue;
         }
-        // The longest name that it begins with.
-        let begins = |group: &&mut MacroGroup<'_>| {
-            own.strip_prefix(group.name)
-                .is_some_and(|rest| rest.starts_with('-'))
-        };
-        if let Some(group) = groups
-            .iter_mut()
-            .filter(begins)
-            .max_by_key(|group| group.name.len())
+        // The longest name that it begins with; they are in order.
+        let mut begins = own.rmatch_indices('-').filter_map(|(dash, _)| {
+            let (begin, rest) = own.split_at(dash);
+            let group = groups
+                .binary_search_by(|group| group.name.cmp(begin))
+                .ok()?;
+            Some((group, rest.trim_start_matches('-').to_owned()))
+        });
+        let longest = begins.next();
+        if let Some((group, rest)) = longest
+            && let Some(group) = groups.get_mut(group)
         {
-            let rest = own
-                .strip_prefix(group.name)
-                .unwrap_or_default()
-                .trim_start_matches('-')
-                .to_owned();
             group.strays.push((target, rest));
         }
     }

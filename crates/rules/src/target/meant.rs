@@ -23,6 +23,7 @@ pub(super) fn meant_by_missing<'a>(
             .map(|file| (parent(&file.rel), file.rel.as_str())),
     );
     let mut missing: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut stems: BTreeSet<&str> = BTreeSet::new();
     for reference in view
         .references_of(base)
         .filter(|reference| reference.kind.is_target())
@@ -30,18 +31,15 @@ pub(super) fn meant_by_missing<'a>(
         if reference.meant().is_some() {
             continue;
         }
-        let stem = reference.text.rsplit(['/', '\\']).next();
-        meant.extend(
-            stem.and_then(|stem| by_stem.get(stem))
-                .into_iter()
-                .flatten(),
-        );
+        stems.extend(reference.text.rsplit(['/', '\\']).next());
         let rel = reference.rel.replace('\\', "/");
         missing
             .entry(parent(&rel).to_owned())
             .or_default()
             .insert(rel);
     }
+    let by_stem = stems.iter().filter_map(|stem| by_stem.get(*stem));
+    meant.extend(by_stem.flatten());
     for (folder, names) in &missing {
         let Some(beside) = by_folder.get(folder.as_str()) else {
             continue;
@@ -97,17 +95,12 @@ impl<'b> LostPartners<'b> {
         let Some(name) = base.targets.and_then(|folder| folder.name_of(file)) else {
             return false;
         };
-        self.names.contains(name)
-            || self.pairs.iter().any(|(incr, decrs)| {
-                let stem = name
-                    .strip_suffix(incr)
-                    .filter(|stem| stem.ends_with(['-', '/']));
-                stem.is_some_and(|stem| {
-                    decrs
-                        .range(stem..)
-                        .next()
-                        .is_some_and(|decr| decr.starts_with(stem))
-                })
-            })
+        let is_incr = |(at, separator): (usize, &str)| {
+            let (stem, incr) = name.split_at(at + separator.len());
+            let decrs = self.pairs.get(incr);
+            let first = decrs.and_then(|decrs| decrs.range(stem..).next());
+            first.is_some_and(|decr| decr.starts_with(stem))
+        };
+        self.names.contains(name) || name.match_indices(['-', '/']).any(is_incr)
     }
 }

@@ -1,8 +1,7 @@
 //! A target for one direction of a slider without the other direction.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
+use super::endings::{Endings, Pair};
 use super::{asked_for, parent, user_pairs};
 use mhlint_diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, nearest};
 use mhlint_discover::Kind;
@@ -26,7 +25,9 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(user_pairs::findings(&RULE, view, base));
-    let (pairs, asked) = (pairs(base), asked_for(view, base));
+    // The scan of user targets knows decr and incr without being told.
+    let known = base.settings().is_none().then_some(("decr", "incr"));
+    let (endings, asked) = (Endings::of(base, known), asked_for(view, base));
     let unlisted = base.modelling.winner().is_none() && !base.modelling.is_broken();
     let folders = [base.user_targets, base.targets.filter(|_| unlisted)];
     for folder in folders
@@ -34,10 +35,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         .flatten()
         .filter(|folder| std::ptr::eq(folder.layer, view.layers.checked))
     {
-        // Whether a folder has both targets of a pair, once asked for.
-        let mut with_pair: BTreeMap<(&str, (&str, &str)), bool> = BTreeMap::new();
+        let in_use = endings.in_use(folder);
         for file in folder.targets() {
-            let Some((opposite, pair)) = opposite_of(file, &pairs) else {
+            let Some((opposite, pair)) = opposite_of(file, &endings) else {
                 continue;
             };
             let rel = format!("{}/{opposite}.target", parent(&file.rel));
@@ -50,17 +50,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 Some(other) if parent(&other.rel) != parent(&rel) => {}
                 // Each lacks the other: once is enough.
                 Some(other)
-                    if opposite_of(other, &pairs).is_some() && file.stem().ends_with(pair.0) => {}
+                    if opposite_of(other, &endings).is_some() && file.stem().ends_with(pair.0) => {}
                 Some(other) => out.push(renamed(finding(file, &opposite, pair), &opposite, other)),
-                None => {
-                    let path = parent(&file.rel);
-                    if *with_pair
-                        .entry((path, pair))
-                        .or_insert_with(|| has_pair(folder, path, pair))
-                    {
-                        out.push(finding(file, &opposite, pair));
-                    }
+                None if in_use.contains(&(parent(&file.rel), pair)) => {
+                    out.push(finding(file, &opposite, pair));
                 }
+                None => {}
             }
         }
     }
@@ -77,7 +72,7 @@ const DECREASES: Case = &[(
     "creates a slider that only decreases the shape, when it moves up",
 )];
 
-fn finding(file: &FileFacts, opposite: &str, (decr, _): (&str, &str)) -> Finding {
+fn finding(file: &FileFacts, opposite: &str, (decr, _): Pair<'_>) -> Finding {
     let message = format!("`{}` has no opposite `{opposite}`", file.stem());
     let case = if file
         .stem()
@@ -114,7 +109,7 @@ fn misnamed<'a>(
     folder: TargetFolder<'a>,
     file: &FileFacts,
     rel: &str,
-    pair: (&str, &str),
+    pair: Pair<'_>,
 ) -> Option<&'a FileFacts> {
     let (stem, ending) = rel
         .strip_suffix(".target")?
@@ -137,52 +132,8 @@ fn misnamed<'a>(
     plain.or_else(|| misspelt.next())
 }
 
-/// Pairs of endings, negative first. The scan of user targets knows decr and incr without being
-/// told.
-fn pairs<'a>(base: &Base<'a>) -> Vec<(&'a str, &'a str)> {
-    let opposites = base
-        .settings()
-        .map(|(_, settings)| settings.opposites.as_slice())
-        .unwrap_or_default();
-    let mut pairs: Vec<(&str, &str)> = opposites
-        .iter()
-        .map(|(decr, incr)| (decr.as_str(), incr.as_str()))
-        .collect();
-    if base.settings().is_none() {
-        pairs.push(("decr", "incr"));
-    }
-    pairs
-}
-
 /// The name of the opposite target and the pair of endings, if the name has such an ending.
-fn opposite_of<'a>(
-    file: &FileFacts,
-    pairs: &[(&'a str, &'a str)],
-) -> Option<(String, (&'a str, &'a str))> {
-    let stem = file.stem();
-    pairs.iter().find_map(|pair| {
-        let (decr, incr) = *pair;
-        let swap = |from: &str, to: &str| {
-            Some(format!(
-                "{}-{to}",
-                stem.strip_suffix(from)?.strip_suffix('-')?
-            ))
-        };
-        Some((swap(decr, incr).or_else(|| swap(incr, decr))?, *pair))
-    })
-}
-
-/// Whether a folder holds both targets of a pair.
-fn has_pair(folder: TargetFolder<'_>, path: &str, (decr, incr): (&str, &str)) -> bool {
-    let own = folder
-        .layer
-        .below(path)
-        .filter(|file| parent(&file.rel) == path);
-    let mut stems = own.filter_map(|file| file.rel.strip_suffix(&format!("-{decr}.target")));
-    stems.any(|stem| {
-        folder
-            .layer
-            .file(&format!("{stem}-{incr}.target"))
-            .is_some()
-    })
+fn opposite_of<'a>(file: &FileFacts, endings: &Endings<'a>) -> Option<(String, Pair<'a>)> {
+    let (begin, other, pair) = endings.split(file.stem())?;
+    Some((format!("{begin}-{other}"), pair))
 }

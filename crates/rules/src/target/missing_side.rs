@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
+use super::endings::Endings;
 use super::{asked_for, parent};
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_eval::side;
@@ -31,6 +32,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         .collect();
     let asked = asked_for(view, base);
     let paired = paired(view, base);
+    let endings = Endings::of(base, Some(("decr", "incr")));
     let mut lone: BTreeMap<(&str, String), Vec<(&FileFacts, String)>> = BTreeMap::new();
     for file in view.own_targets(base) {
         let Some((_, partner)) = side::of_target(file.stem()) else {
@@ -45,7 +47,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let is_lone =
             !exists && !unused.contains(file.path.as_str()) && !asked.contains(rel.as_str());
         if is_lone && !paired.contains(file.path.as_str()) {
-            lone.entry((folder, without_ending(base, &partner)))
+            lone.entry((folder, without_ending(&endings, &partner)))
                 .or_default()
                 .push((file, partner));
         }
@@ -104,15 +106,7 @@ fn finding(stem: &str, files: &[(&FileFacts, String)]) -> Option<Finding> {
     )
 }
 
-fn without_ending(base: &Base<'_>, stem: &str) -> String {
-    let opposites = base
-        .settings()
-        .map(|(_, settings)| settings.opposites.as_slice())
-        .unwrap_or_default();
-    let endings = opposites
-        .iter()
-        .flat_map(|(decr, incr)| [decr.as_str(), incr.as_str()])
-        .chain(["decr", "incr"]);
-    let mut cut = endings.filter_map(|ending| stem.strip_suffix(ending)?.strip_suffix('-'));
-    cut.next().unwrap_or(stem).to_owned()
+fn without_ending(endings: &Endings<'_>, stem: &str) -> String {
+    let split = endings.split(stem);
+    split.map_or(stem, |(begin, ..)| begin).to_owned()
 }

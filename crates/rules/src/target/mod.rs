@@ -19,6 +19,7 @@ mod breaks_start;
 mod custom_name;
 mod doubled;
 mod duplicate_vertex;
+mod endings;
 mod field_count;
 mod gendered_detail;
 mod macro_group;

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
+use super::endings::Endings;
 use super::{meant::meant_by_missing, parent, shipped_unused};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -67,7 +68,7 @@ fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Find
         .into_iter()
         .filter(|file| !meant.contains(file.rel.as_str()) && !breaks_start(file));
     let folders = grouped(idle.map(|file| (parent(&file.rel), file)));
-    let without_decr = without_decr(base);
+    let (endings, without_decr) = (Endings::of(base, None), without_decr(base));
     let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
         let all = folder
@@ -82,10 +83,10 @@ fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Find
             }
             out.push(whole_folder(folder.layer, path, &files));
         } else {
-            out.extend(in_pairs(base, &files).into_iter().map(|(file, decr)| {
+            out.extend(in_pairs(&endings, &files).into_iter().map(|(file, decr)| {
                 let name = folder.name_of(file).unwrap_or_default();
                 let finding = decr.and_then(|decr| folder.name_of(decr)).map_or_else(
-                    || single(base, &without_decr, file, name),
+                    || single(&endings, &without_decr, file, name),
                     |decr| pair(file, name, decr),
                 );
                 part_of(
@@ -131,28 +132,20 @@ fn breaks_start(file: &FileFacts) -> bool {
 
 /// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
 fn in_pairs<'a>(
-    base: &Base<'_>,
+    endings: &Endings<'_>,
     files: &[&'a FileFacts],
 ) -> Vec<(&'a FileFacts, Option<&'a FileFacts>)> {
-    let opposites = base
-        .settings()
-        .map(|(_, settings)| settings.opposites.as_slice())
-        .unwrap_or_default();
-    let mut by_stem: BTreeMap<&str, &'a FileFacts> = BTreeMap::new();
+    // What each stem would be the increasing one for; the first pair of endings counts.
+    let mut decrs: BTreeMap<String, (usize, &'a FileFacts)> = BTreeMap::new();
     for file in files {
-        by_stem.entry(file.stem()).or_insert(file);
+        for (place, incr) in endings.increasing(file.stem()) {
+            let first = decrs.entry(incr).or_insert((place, file));
+            if place < first.0 {
+                *first = (place, file);
+            }
+        }
     }
-    let decr_of = |file: &FileFacts| {
-        let stems = opposites.iter().filter_map(|(decr, incr)| {
-            Some(format!(
-                "{}{decr}",
-                file.stem().strip_suffix(incr.as_str())?
-            ))
-        });
-        stems
-            .into_iter()
-            .find_map(|stem| by_stem.get(stem.as_str()).copied())
-    };
+    let decr_of = |file: &FileFacts| decrs.get(file.stem()).map(|(_, decr)| *decr);
     let pairs: Vec<_> = files.iter().map(|file| (*file, decr_of(file))).collect();
     let told: BTreeSet<&str> = pairs
         .iter()
@@ -208,7 +201,7 @@ fn part_of<'f>(
 }
 
 fn single(
-    base: &Base<'_>,
+    endings: &Endings<'_>,
     sliders: &BTreeMap<&str, &str>,
     file: &FileFacts,
     name: &str,
@@ -218,7 +211,7 @@ fn single(
         Place::File,
         format!("no slider and no macro uses `{name}`"),
     );
-    finding.help(match slider_without(base, sliders, name) {
+    finding.help(match slider_without(endings, sliders, name) {
         // A slider with a space in its name cannot be saved.
         _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from \
             its name"
@@ -251,16 +244,12 @@ fn without_decr<'b>(base: &'b Base<'_>) -> BTreeMap<&'b str, &'b str> {
 
 /// The slider that has the opposite of a target and lacks the target itself.
 fn slider_without<'b>(
-    base: &Base<'_>,
+    endings: &Endings<'_>,
     sliders: &BTreeMap<&str, &'b str>,
     decr: &str,
 ) -> Option<&'b str> {
-    let opposites = base
-        .settings()
-        .map(|(_, settings)| settings.opposites.as_slice())
-        .unwrap_or_default();
-    let mut names = opposites
-        .iter()
-        .filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
-    names.find_map(|name| sliders.get(name.as_str()).copied())
+    let known = endings
+        .increasing(decr)
+        .filter_map(|(place, incr)| Some((place, *sliders.get(incr.as_str())?)));
+    known.min().map(|(_, key)| key)
 }

@@ -7,7 +7,7 @@ use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::readable_own;
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Evidence, Finding, Level, Place, RuleInfo,
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use mhlint_repo::{Body, BodyWeights, FileFacts, Rig};
 
@@ -48,13 +48,19 @@ const NOTHING_MOVES: Case = &[(
 )];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let users = body
+        .rigs
+        .iter()
+        .filter_map(|rig| Some((std::ptr::from_ref(rig.weights_file()?), rig)));
+    let users = grouped(users);
     for (BodyWeights { file, .. }, weights) in readable_own(body) {
+        let users = users.get(&std::ptr::from_ref(*file));
         let Some(Binding {
             known,
             takers,
             is_posed,
             skeleton,
-        }) = binding(body, file)
+        }) = users.and_then(|users| binding(users))
         else {
             continue;
         };
@@ -117,17 +123,13 @@ struct Binding<'a> {
     skeleton: &'a FileFacts,
 }
 
-/// The rigs that use a weights file; of these the one for poses alone, if it is among them.
-fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
-    let binds = |rig: &&Rig<'_>| {
-        rig.weights_file()
-            .is_some_and(|found| std::ptr::eq(found, file))
-    };
-    let users: Vec<&Rig<'v>> = body.rigs.iter().filter(binds).collect();
-    let (chosen, is_posed) = match users.iter().find(|rig| rig.is_default) {
-        Some(default) => (vec![*default], true),
-        None => (users, false),
-    };
+/// Of the rigs that use a weights file the one for poses alone, if it is among them; else all.
+fn binding<'v>(users: &[&Rig<'v>]) -> Option<Binding<'v>> {
+    let default = users.iter().find(|rig| rig.is_default);
+    let (chosen, is_posed) = (
+        default.map_or(users, std::slice::from_ref),
+        default.is_some(),
+    );
     let skeleton = chosen.first()?.file;
     let (mut known, mut takers) = (BTreeSet::new(), Vec::new());
     for user in chosen {

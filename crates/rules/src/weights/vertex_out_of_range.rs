@@ -1,5 +1,7 @@
 //! Weights must be for vertices that exist.
 
+use std::collections::BTreeSet;
+
 use super::super::cause::worn;
 use super::super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use super::super::{Check, Rule, RuleCx};
@@ -67,6 +69,7 @@ const OF_ASSET_NEGATIVE: Case = &[
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let assets: Vec<worn::Own<'_>> = worn::all(body).collect();
     out.extend(assets.iter().filter_map(of_asset));
+    let of_assets: BTreeSet<&str> = assets.iter().map(|own| own.file.path.as_str()).collect();
     if body.doubt == Some(Doubt::Foreign) {
         return;
     }
@@ -80,10 +83,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         ..
     } in tallied(body, |facts| &facts.out_of_range)
     {
-        if assets
-            .iter()
-            .any(|asset| std::ptr::eq(asset.file, own.file))
-        {
+        if of_assets.contains(own.file.path.as_str()) {
             continue;
         }
         let vertices = weights.facts.vertices;

@@ -8,7 +8,7 @@ use mhlint_diag::Level;
 use mhlint_discover::Kind;
 use mhlint_json::UnknownKey;
 use mhlint_repo::FileFacts;
-use mhlint_repo::makehuman2::View;
+use mhlint_repo::makehuman2::{Base, View};
 
 use Kind::{BaseJson, ModellingJson, TargetCategories};
 use Level::{Error, Info, Warning};
@@ -92,11 +92,12 @@ pub(super) fn of_misspelt(
 
 /// The random character view looks a partner up by the pattern that a pair would have.
 fn without_opposites(view: &View<'_>, file: &FileFacts) -> Consequence {
-    let mut own = view.bases.iter().filter(|base| {
+    let is_own = |base: &&Base<'_>| {
         base.own_json
             .is_some_and(|(json, _)| std::ptr::eq(json, file))
-    });
-    let has_partner = own.any(|base| {
+    };
+    let own = file.base().and_then(|name| view.base(name)).filter(is_own);
+    let has_partner = own.is_some_and(|base| {
         let mut pairs = base
             .sliders
             .iter()

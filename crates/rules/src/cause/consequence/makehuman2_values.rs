@@ -16,8 +16,8 @@ use mhlint_diag::Level;
 use mhlint_discover::Kind;
 use mhlint_formats::Content;
 use mhlint_json::{Found, SchemaFault};
-use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::View;
+use mhlint_repo::{FileFacts, ReferenceKind};
 
 const LIST: Test = |found| matches!(found, Some(Found::List { .. }));
 const TEXT_OR_LIST: Test = |found| TEXT(found) || LIST(found);
@@ -185,8 +185,9 @@ fn is_reference(fault: &SchemaFault) -> bool {
 
 /// Whether a base is posed with the skeleton.
 fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
-    let mut rigs = view.bases.iter().flat_map(|base| &base.rigs);
-    rigs.any(|rig| rig.is_default && std::ptr::eq(rig.file, file))
+    let named = view.references.to_file(file);
+    let mut poses = named.filter(|one| one.kind == ReferenceKind::PoseSkeleton);
+    poses.any(|one| file.base() == Some(one.base) && one.found().is_some())
 }
 
 /// What a value of a file comes to, where it is not what `json-schema` says in general.
