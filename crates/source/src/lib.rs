@@ -28,7 +28,7 @@ pub use tree::Tree;
 
 pub use folder::{
     Folder, Outer, folder_and_name, folders_above, has_hidden_part, holds, inside, is_below,
-    normalized,
+    is_below_any, normalized, without_slashes,
 };
 pub use gunzip::{GzipFault, gunzip, gunzip_at_most};
 #[cfg(any(test, feature = "counted"))]
