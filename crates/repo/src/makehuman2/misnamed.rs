@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{OWN, View};
 use crate::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
 use crate::{FileFacts, Layer, Layers, fold};
+use mhlint_diag::grouped;
 use mhlint_discover::Layout;
 
 /// The files that stand in the folder of a base mesh and in no other place.
@@ -78,25 +79,25 @@ impl<'a> View<'a> {
     /// looked for.
     pub fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
         let layout = Layout::of(OWN);
+        let known = self
+            .bases
+            .iter()
+            .map(|base| base.name)
+            .filter(|name| has_base(self.layers, name));
+        let known = grouped(known.map(|name| (name.to_ascii_lowercase(), name)));
+        // The base mesh that a name means but for its capitals.
+        let in_other_case = |name: &str| {
+            let alike = known.get(name.to_ascii_lowercase().as_str())?;
+            alike.iter().find(|base| **base != name)
+        };
         misnamed_folders(self.layers.checked, layout, |rel| {
             let of_base = || {
                 let (top, rest) = rel.split_once('/')?;
                 let (name, rest) = rest.split_once('/')?;
-                let base = self.base_in_other_case(name)?;
+                let base = in_other_case(name)?;
                 Some((format!("{top}/{name}"), format!("{top}/{base}"), rest))
             };
             top_in_other_case(layout, rel).or_else(of_base)
         })
-    }
-
-    /// The base mesh that a name means but for its capitals.
-    fn base_in_other_case(&self, name: &str) -> Option<&'a str> {
-        let is_other =
-            |base: &&super::Base<'a>| base.name != name && base.name.eq_ignore_ascii_case(name);
-        self.bases
-            .iter()
-            .filter(is_other)
-            .find(|base| has_base(self.layers, base.name))
-            .map(|base| base.name)
     }
 }
