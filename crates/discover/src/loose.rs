@@ -40,11 +40,11 @@ pub struct Loose<'t> {
 }
 
 impl<'t> Loose<'t> {
-    /// The files that belong to the file at a path: those that it names, those that these name in
-    /// turn, and those that lie beside one of them under the same name with another extension.
-    pub fn belonging_to(&self, path: &'t str) -> BTreeSet<&'t str> {
-        let mut all = BTreeSet::from([path]);
-        let mut open = vec![path];
+    /// The files that belong to those at these paths: those that they name, those that these name
+    /// in turn, and those that lie beside one of them under the same name with another extension.
+    pub fn belonging_to(&self, paths: impl Iterator<Item = &'t str>) -> BTreeSet<&'t str> {
+        let mut all: BTreeSet<&str> = paths.collect();
+        let mut open: Vec<&str> = all.iter().copied().collect();
         while let Some(path) = open.pop() {
             let named = self.named.get(path).into_iter().flatten().copied();
             open.extend(named.filter(|named| all.insert(named)));
@@ -139,9 +139,13 @@ impl<'t, 'k> Placing<'t, 'k> {
             let (_, name) = folder_and_name(&asset.entry.path);
             open.extend(self.put(asset.entry, format!("{}/{name}", asset.home)));
         }
+        let mut by_stem = BTreeMap::new();
+        for asset in assets.values().flatten() {
+            by_stem.entry(stem(&asset.entry.path)).or_insert(asset);
+        }
         for entry in self.files.clone() {
             if !self.placed.contains(entry.path.as_str())
-                && let Some(rel) = self.place_beside(&assets, entry)
+                && let Some(rel) = self.place_beside(&assets, &by_stem, entry)
             {
                 open.extend(self.put(entry, rel));
             }
@@ -268,6 +272,7 @@ impl<'t, 'k> Placing<'t, 'k> {
     fn place_beside(
         &self,
         assets: &BTreeMap<&str, Vec<Asset<'t>>>,
+        by_stem: &BTreeMap<&str, &Asset<'t>>,
         entry: &Entry,
     ) -> Option<String> {
         let (folder, name) = folder_and_name(&entry.path);
@@ -280,8 +285,8 @@ impl<'t, 'k> Placing<'t, 'k> {
         {
             return None;
         }
-        let is_partner = |asset: &&Asset<'_>| stem(&asset.entry.path) == stem(&entry.path);
-        let asset = all.iter().find(is_partner).or(all.first())?;
+        let partner = by_stem.get(stem(&entry.path)).copied();
+        let asset = partner.or(all.first())?;
         let rest = entry.path.strip_prefix(nearest)?.trim_start_matches('/');
         Some(format!("{}/{rest}", asset.home))
     }

@@ -7,7 +7,7 @@ use super::evidence::evidence;
 use super::layout::Sign;
 use super::{Layout, Listing, contest};
 use mhlint_diag::Application;
-use mhlint_source::is_below;
+use mhlint_source::{folders_above, is_below};
 
 /// A folder that looks like the data folder of an application.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,13 +39,16 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
     let mut search = Search::new(listing, meant, signs, confirmed);
     search.leave_out_unclaimed();
     leave_out_misplaced(&mut search.signs, listing);
+    search.strong = Strong::of(&search.signs);
     let mut roots = search.outermost();
     Application::ALL
         .into_iter()
         .for_each(|one| search.share(one, &mut roots));
     // A users' folder that certainly belongs to two applications is a root of both.
-    let is_found = |root: &DataRoot| roots.iter().any(|other| other.path == root.path);
-    let shared = shared.into_iter().filter(is_found);
+    let found: BTreeSet<&str> = roots.iter().map(|root| root.path.as_str()).collect();
+    let shared = shared
+        .into_iter()
+        .filter(|root| found.contains(root.path.as_str()));
     let shared: Vec<DataRoot> = shared
         .filter(|root| !search.is_left_to_partner(root))
         .collect();
@@ -61,6 +64,7 @@ struct Search<'s> {
     meant: Meant<'s>,
     /// The roots that are left, each with the best sign for it.
     signs: BTreeMap<DataRoot, Sign>,
+    strong: Strong,
     /// The roots that a file beside them confirms.
     confirmed: BTreeSet<DataRoot>,
     /// The applications that may claim a folder without further evidence.
@@ -82,8 +86,9 @@ impl<'s> Search<'s> {
         // MakeHuman 1) does not claim such a folder by itself. It claims the folder if the user
         // asked for the application, if it has a data root of its own, or if files beside the
         // folder are such as no other application has.
+        let strong = Strong::of(&signs);
         let is_at_hand = |application: Application| {
-            meant.asked.contains(&application) || has_data(&signs, meant, application)
+            meant.asked.contains(&application) || strong.has_data(meant, application)
         };
         let claims =
             |one: &Application| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one);
@@ -93,6 +98,7 @@ impl<'s> Search<'s> {
             listing,
             meant,
             signs,
+            strong,
             confirmed,
             company,
             told,
@@ -103,7 +109,7 @@ impl<'s> Search<'s> {
     /// Whether a folder of users that two applications certainly share is left to the other one: its
     /// data are at hand, and nobody asked for this one or has its data.
     fn is_left_to_partner(&self, root: &DataRoot) -> bool {
-        let has_data = |one| has_data(&self.signs, self.meant, one);
+        let has_data = |one| self.strong.has_data(self.meant, one);
         let is_partner = |one: &Application| contest::share_users(*one, root.application);
         let mut partners = Application::ALL.into_iter().filter(is_partner);
         let is_meant = self.meant.asked.contains(&root.application) || has_data(root.application);
@@ -122,13 +128,12 @@ impl<'s> Search<'s> {
             ..
         } = self;
         let is_confirmed_of_other = |root: &DataRoot| {
-            let is_other = |other: &&DataRoot| {
-                other.path == root.path && other.application != root.application
+            let is_foreign = |other: &Application| {
+                *other != root.application
+                    && Layout::of(*other).shares_roots_of != Some(root.application)
             };
-            let is_foreign = |other: &DataRoot| {
-                Layout::of(other.application).shares_roots_of != Some(root.application)
-            };
-            confirmed.iter().filter(is_other).any(is_foreign)
+            let mut foreign = Application::ALL.into_iter().filter(is_foreign);
+            foreign.any(|other| confirmed.contains(&root.of(other)))
         };
         signs.retain(|root, sign| {
             let is_own = company.contains(&root.application)
@@ -156,14 +161,20 @@ impl<'s> Search<'s> {
             .iter()
             .filter(|(_, own)| **own == sign)
             .map(|(root, _)| root);
-        let is_near = |root: &DataRoot| better.iter().any(|other| self.is_near(root, other));
+        let better: BTreeSet<&DataRoot> = better.iter().collect();
+        let is_near = |root: &DataRoot| {
+            let above = folders_above(&root.path).flat_map(|path| roots_at(&better, path));
+            let below = roots_below(&better, &root.path);
+            above.chain(below).any(|other| self.is_near(root, other))
+        };
         own.filter(|root| !is_near(root)).cloned().collect()
     }
 
+    /// Whether a root does not stand beside a better one, which is inside or around it.
     fn is_near(&self, root: &DataRoot, better: &DataRoot) -> bool {
         let are_two =
-            || is_beside_own(root, better, &self.signs) || self.told.are_apart(root, better);
-        nested(&better.path, &root.path) && !are_two() && !self.is_stray(root, better)
+            || is_beside_own(root, better, &self.strong) || self.told.are_apart(root, better);
+        !are_two() && !self.is_stray(root, better)
     }
 
     /// Whether `other` is only a stray folder for `root`: it belongs to another application, and
@@ -205,7 +216,7 @@ impl<'s> Search<'s> {
         // If this application has data, and the other application neither has data nor was asked
         // for, a root that files beside it confirm for this application does not belong to the
         // other application.
-        let has_data = |one| has_data(&self.signs, self.meant, one);
+        let has_data = |one| self.strong.has_data(self.meant, one);
         if has_data(application) && !has_data(other) && !is_asked(other) {
             let is_other = |root: &DataRoot| {
                 root.application == other && self.signs.get(root) == Some(&Sign::Faint)
@@ -216,11 +227,73 @@ impl<'s> Search<'s> {
     }
 }
 
-/// Whether an application has data that are certainly its own, in this listing or in another one.
-fn has_data(signs: &BTreeMap<DataRoot, Sign>, meant: Meant<'_>, application: Application) -> bool {
-    let is_own =
-        |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
-    meant.at_hand.contains(&application) || signs.iter().any(is_own)
+/// Where the data are that are certainly those of an application.
+#[derive(Default)]
+struct Strong {
+    /// Their paths and those of the folders above them.
+    paths: BTreeSet<(Application, String)>,
+}
+
+impl Strong {
+    fn of(signs: &BTreeMap<DataRoot, Sign>) -> Self {
+        let strong = signs.iter().filter(|(_, sign)| **sign == Sign::Strong);
+        let paths = strong.flat_map(|(root, _)| {
+            let above = root.path.match_indices('/').map(|(at, _)| at);
+            let ends = above.chain([root.path.len()]);
+            ends.filter_map(|end| Some((root.application, root.path.get(..end)?.to_owned())))
+        });
+        Self {
+            paths: paths.collect(),
+        }
+    }
+
+    /// Whether an application has such data, in this listing or in another one.
+    fn has_data(&self, meant: Meant<'_>, application: Application) -> bool {
+        let mut from = self.paths.range((application, String::new())..);
+        meant.at_hand.contains(&application)
+            || from.next().is_some_and(|(other, _)| *other == application)
+    }
+}
+
+impl DataRoot {
+    /// The same folder as a root of another application.
+    fn of(&self, application: Application) -> Self {
+        Self {
+            path: self.path.clone(),
+            application,
+        }
+    }
+}
+
+/// Those of the roots that are at a path.
+fn roots_at<'r>(
+    roots: &BTreeSet<&'r DataRoot>,
+    path: &str,
+) -> impl Iterator<Item = &'r DataRoot> + use<'r> {
+    let at = |application| DataRoot {
+        path: path.to_owned(),
+        application,
+    };
+    let found = Application::ALL.map(|application| roots.get(&at(application)).copied());
+    found.into_iter().flatten()
+}
+
+/// Those of the roots that lie below a folder.
+fn roots_below<'s, 'r>(
+    roots: &'s BTreeSet<&'r DataRoot>,
+    folder: &str,
+) -> impl Iterator<Item = &'r DataRoot> + use<'s, 'r> {
+    let start = if folder.is_empty() {
+        String::new()
+    } else {
+        format!("{folder}/")
+    };
+    let first = DataRoot {
+        path: start.clone(),
+        application: Application::ALL[0],
+    };
+    let from = roots.range::<DataRoot, _>(&first..).copied();
+    from.take_while(move |root| root.path.starts_with(&start))
 }
 
 /// Removes `data` folders that are no data roots, and roots that are none because a folder `data`
@@ -233,8 +306,15 @@ fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'
             .path
             .strip_suffix("data")
             .map(|above| above.trim_end_matches('/'));
-        !listing.has_folder(&root.path)
-            && signs.keys().any(|other| Some(other.path.as_str()) == above)
+        let is_root = |path: &str| {
+            let at = |application| DataRoot {
+                path: path.to_owned(),
+                application,
+            };
+            let mut all = Application::ALL.into_iter().map(at);
+            all.any(|other| signs.contains_key(&other))
+        };
+        !listing.has_folder(&root.path) && above.is_some_and(is_root)
     };
     let supposed: BTreeSet<DataRoot> = signs
         .keys()
@@ -388,13 +468,14 @@ impl Told {
     /// They are if the better root has files that only its application has, or if the root is one
     /// of `alone` or `shared` and the better one belongs to a third application.
     fn are_apart(&self, root: &DataRoot, better: &DataRoot) -> bool {
-        let is_apart = |told: &DataRoot| {
-            let is_third = better.application != told.application
-                && Layout::of(told.application).shares_roots_of != Some(better.application);
-            told.path == root.path && is_third
+        let is_apart = |application: Application| {
+            let told = root.of(application);
+            let is_third = better.application != application
+                && Layout::of(application).shares_roots_of != Some(better.application);
+            is_third && (self.alone.contains(&told) || self.shared.contains(&told))
         };
         root.path != better.path
-            && (self.alone.contains(better) || self.alone.iter().chain(&self.shared).any(is_apart))
+            && (self.alone.contains(better) || Application::ALL.into_iter().any(is_apart))
     }
 }
 
@@ -430,26 +511,22 @@ fn data_in(above: &str, application: Application) -> DataRoot {
 
 /// Whether a root inside a root of another application lies near certain data of its own
 /// application: both have a folder in common that is below the top of the outer root.
-fn is_beside_own(root: &DataRoot, outer: &DataRoot, signs: &BTreeMap<DataRoot, Sign>) -> bool {
-    let shared = |other: &DataRoot| {
-        let pairs = root.path.split('/').zip(other.path.split('/'));
-        pairs.take_while(|(one, another)| one == another).count()
-    };
+fn is_beside_own(root: &DataRoot, outer: &DataRoot, strong: &Strong) -> bool {
     let depth = if outer.path.is_empty() {
         0
     } else {
         outer.path.split('/').count()
     };
-    let is_own = |(other, sign): (&DataRoot, &Sign)| {
-        other.application == root.application && *sign == Sign::Strong && shared(other) > depth
+    let end = root.path.match_indices('/').map(|(at, _)| at);
+    let end = end.chain([root.path.len()]).nth(depth);
+    let common = end.and_then(|end| root.path.get(..end));
+    let is_own = |common: &str| {
+        let common = (root.application, common.to_owned());
+        strong.paths.contains(&common)
     };
     outer.application != root.application
         && is_below(&root.path, &outer.path)
-        && signs.iter().any(is_own)
-}
-
-fn nested(a: &str, b: &str) -> bool {
-    is_below(a, b) || is_below(b, a)
+        && common.is_some_and(is_own)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::caught::caught;
-use super::load::{Data, Loaded};
+use super::load::Data;
 use mhlint_config::Config;
 use mhlint_diag::{Application, FailedStep, grouped};
 use mhlint_eval::measures::Measures;
@@ -36,13 +36,14 @@ pub(super) fn measure_bases(
         .as_ref()
         .map(|before| none(before))
         .unwrap_or_default();
-    let mut all = names(data);
-    all.extend(before.iter().flat_map(|before| names(before)));
-    let owned = bases(data);
+    let owned = roots_of_bases(data);
     let owned_before = before
         .as_ref()
-        .map(|before| bases(before))
+        .map(|before| roots_of_bases(before))
         .unwrap_or_default();
+    let looked_at = owned.iter().chain(&owned_before);
+    let looked_at = looked_at.filter(|(_, own)| own.is_looked_at);
+    let all: BTreeSet<Option<String>> = looked_at.map(|(name, _)| name.clone()).collect();
     let has_rows = |data: &Data<'_>| {
         data.stacks()
             .iter()
@@ -59,8 +60,9 @@ pub(super) fn measure_bases(
             .as_deref()
             .filter(|name| !options.no_eval && options.asks_for_base(name));
         let nothing = Rows::new();
-        let mut rows = load_targets(
+        let rows = load_targets(
             data,
+            owned.get(&name),
             name.as_deref(),
             options,
             None,
@@ -68,46 +70,37 @@ pub(super) fn measure_bases(
         );
         let Some(before) = &mut before else {
             if let Some(name) = evaluated {
-                measure_base(
-                    data,
-                    name,
-                    &owned,
-                    &mut rows,
-                    options,
-                    &mut measures,
-                    failed,
-                );
+                measure_base(data, name, &owned, &rows, options, &mut measures, failed);
             }
             continue;
         };
         let mut rows_before = {
             let kept = evaluated.filter(|_| keeps_rows).map(|_| &rows);
-            load_targets(before, name.as_deref(), options, Some(data), kept)
+            let own = owned_before.get(&name);
+            load_targets(before, own, name.as_deref(), options, Some(data), kept)
         };
         let Some(name) = evaluated else { continue };
+        let key = Some(name.to_owned());
         let is_same = !differing.contains(&None)
-            && !differing.contains(&Some(name.to_owned()))
-            && are_same(&targets(data, name), &targets(before, name));
+            && !differing.contains(&key)
+            && are_same(
+                &targets(data, owned.get(&key), name),
+                &targets(before, owned_before.get(&key), name),
+            );
         if is_same {
             rows_before = Rows::new();
         }
-        measure_base(
-            data,
-            name,
-            &owned,
-            &mut rows,
-            options,
-            &mut measures,
-            failed,
-        );
+        measure_base(data, name, &owned, &rows, options, &mut measures, failed);
         if is_same {
-            take_over([data, before], &measures, &mut measures_before, name);
+            let own = owned.get(&key).map(|own| own.roots.as_slice());
+            let own = own.unwrap_or_default();
+            take_over([data, before], own, &measures, &mut measures_before, name);
         } else {
             measure_base(
                 before,
                 name,
                 &owned_before,
-                &mut rows_before,
+                &rows_before,
                 options,
                 &mut measures_before,
                 failed,
@@ -117,16 +110,29 @@ pub(super) fn measure_bases(
     [measures, measures_before]
 }
 
+/// The roots with something of a base: numbers among those to check, and among all those with
+/// targets.
+#[derive(Default)]
+struct OfBase {
+    roots: Vec<usize>,
+    with_targets: Vec<usize>,
+    /// Whether it has targets or a mesh.
+    is_looked_at: bool,
+}
+
 fn load_targets(
     data: &mut Data<'_>,
+    own: Option<&OfBase>,
     base: Option<&str>,
     options: &Config,
     other: Option<&Data<'_>>,
     keep_rows: Option<&Rows>,
 ) -> Rows {
     let mut rows = Rows::new();
-    for root in data.all_mut() {
-        rows.append(&mut root.load_targets(base, &options.limits, other, keep_rows));
+    for number in own.into_iter().flat_map(|own| &own.with_targets) {
+        if let Some(root) = data.all_mut().nth(*number) {
+            rows.extend(root.load_targets(base, &options.limits, other, keep_rows));
+        }
     }
     rows
 }
@@ -159,8 +165,10 @@ fn contents<'d>(data: &'d Data<'_>) -> BTreeMap<Option<&'d str>, Vec<&'d Arc<Con
 }
 
 /// The targets of a base.
-fn targets<'d>(data: &'d Data<'_>, base: &str) -> Vec<&'d Arc<Content>> {
-    let files = data.all().flat_map(|root| {
+fn targets<'d>(data: &'d Data<'_>, own: Option<&OfBase>, base: &str) -> Vec<&'d Arc<Content>> {
+    let numbers = own.into_iter().flat_map(|own| &own.with_targets);
+    let roots = numbers.filter_map(|number| data.all().nth(*number));
+    let files = roots.flat_map(|root| {
         root.place
             .bulk_of(Some(base))
             .map(|file| root.layer.file(&file.rel))
@@ -177,84 +185,83 @@ fn are_same(now: &[&Arc<Content>], before: &[&Arc<Content>]) -> bool {
             .all(|(now, before)| Arc::ptr_eq(now, before))
 }
 
-/// Gives the data as they were the measures of now.
-fn take_over(data: [&Data<'_>; 2], now: &[Measured], before: &mut [Measured], base: &str) {
+/// Gives the data as they were the measures of now, of the roots with these numbers.
+fn take_over(
+    data: [&Data<'_>; 2],
+    own: &[usize],
+    now: &[Measured],
+    before: &mut [Measured],
+    base: &str,
+) {
     let [data, data_before] = data;
-    for (root, before) in data_before.roots.iter().zip(before) {
-        let same = data
-            .roots
-            .iter()
-            .zip(now)
-            .filter(|(other, _)| other.place.is_counterpart(&root.place));
-        for (application, measures) in same.flat_map(|(_, now)| now) {
-            let own = measures
-                .get(base)
-                .map(|measures| (base.to_owned(), Arc::clone(measures)));
-            before.entry(*application).or_default().extend(own);
+    for number in own {
+        let Some((root, now)) = data.roots.get(*number).zip(now.get(*number)) else {
+            continue;
+        };
+        for same in data_before.counterparts(&root.place) {
+            let Some(before) = before.get_mut(same) else {
+                continue;
+            };
+            for (application, measures) in now {
+                let own = measures
+                    .get(base)
+                    .map(|measures| (base.to_owned(), Arc::clone(measures)));
+                before.entry(*application).or_default().extend(own);
+            }
         }
     }
 }
 
-/// Names of the bases with targets or a mesh, in order; `None` for targets that belong to no base.
-fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
-    let mut names = BTreeSet::new();
-    for root in data.all() {
-        names.extend(
-            root.place
-                .target_bases()
-                .into_iter()
-                .map(|base| base.map(str::to_owned)),
-        );
-        let with_mesh = root
-            .layer
-            .files
-            .values()
-            .filter(|file| file.mesh().is_some());
-        names.extend(with_mesh.map(|file| file.base().map(str::to_owned)));
+/// The bases that files belong to, by name; `None` for targets that belong to no base.
+fn roots_of_bases(data: &Data<'_>) -> BTreeMap<Option<String>, OfBase> {
+    let mut all: BTreeMap<Option<String>, OfBase> = BTreeMap::new();
+    let of = |base: Option<&str>| base.map(str::to_owned);
+    let first = data.systems.len();
+    for (number, root) in data.all().enumerate() {
+        let with_targets = root.place.target_bases();
+        let files = || root.layer.files.values();
+        let with_mesh = files().filter(|file| file.mesh().is_some());
+        let looked_at = with_mesh
+            .map(|file| file.base())
+            .chain(with_targets.clone());
+        for base in looked_at.collect::<BTreeSet<_>>() {
+            all.entry(of(base)).or_default().is_looked_at = true;
+        }
+        for base in &with_targets {
+            all.entry(of(*base)).or_default().with_targets.push(number);
+        }
+        let own = files().map(|file| file.base()).chain(with_targets);
+        if number >= first {
+            for base in own.collect::<BTreeSet<_>>() {
+                all.entry(of(base)).or_default().roots.push(number - first);
+            }
+        }
     }
-    names
-}
-
-/// Names of the bases that files of each repository belong to, targets included.
-fn bases(data: &Data<'_>) -> Vec<BTreeSet<String>> {
-    let of = |root: &Loaded<'_>| {
-        let files = root.layer.files.values().filter_map(|file| file.base());
-        files
-            .chain(root.place.target_bases().into_iter().flatten())
-            .map(str::to_owned)
-            .collect()
-    };
-    data.roots.iter().map(of).collect()
+    all
 }
 
 fn measure_base(
     data: &Data<'_>,
     name: &str,
-    owned: &[BTreeSet<String>],
-    rows: &mut Rows,
+    owned: &BTreeMap<Option<String>, OfBase>,
+    rows: &Rows,
     options: &Config,
     measures: &mut [Measured],
     failed: &mut Vec<FailedStep>,
 ) {
-    let has_base = |number: usize| owned.get(number).is_some_and(|bases| bases.contains(name));
-    let stacks = data.stacks_of(has_base).into_iter();
+    let own = owned.get(&Some(name.to_owned()));
+    let numbers = own.into_iter().flat_map(|own| own.roots.iter().copied());
+    let stacks = data.stacks_of(numbers).into_iter();
     let seen = stacks.flat_map(|(number, stack)| {
         stack
             .seen
             .into_iter()
             .map(move |(of, layers)| (number, of, layers))
     });
-    let mut seen = seen
-        .filter(|(_, application, _)| is_measured(*application))
-        .peekable();
-    while let Some((number, application, layers)) = seen.next() {
-        // Repositories over the same system data share its rows; the last one takes them.
-        let own = if seen.peek().is_none() {
-            &mut *rows
-        } else {
-            &mut rows.clone()
-        };
-        let evaluate = || evaluate::measure(application, layers, name, own, options);
+    for (number, application, layers) in
+        seen.filter(|(_, application, _)| is_measured(*application))
+    {
+        let evaluate = || evaluate::measure(application, layers, name, rows, options);
         let step = FailedStep::Evaluation {
             base: name.to_owned(),
         };

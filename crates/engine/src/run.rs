@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use super::catalogue::CHECKED;
@@ -197,12 +198,7 @@ fn asked_for(data: &Data<'_>, options: &Config) -> diag::Scope {
         rules.clear();
     }
     diag::Scope {
-        paths: data
-            .roots
-            .iter()
-            .flat_map(Loaded::parts)
-            .map(str::to_owned)
-            .collect(),
+        paths: parts(data),
         excluded: file()
             .flat_map(|file| file.exclude.iter())
             .map(|glob| glob.text.clone())
@@ -211,6 +207,19 @@ fn asked_for(data: &Data<'_>, options: &Config) -> diag::Scope {
         rules,
         without,
     }
+}
+
+/// What the PATHs ask for of the data roots, in their order. Many roots of one tree have the same.
+fn parts(data: &Data<'_>) -> Vec<String> {
+    let (mut seen, mut paths) = (BTreeSet::new(), Vec::new());
+    for narrow in data.roots.iter().filter_map(Loaded::parts) {
+        if seen.insert(Arc::as_ptr(narrow)) {
+            paths.extend_from_slice(narrow.paths());
+        }
+    }
+    let mut seen = BTreeSet::new();
+    paths.retain(|path| seen.insert(path.clone()));
+    paths
 }
 
 /// The rules whose level is `off`, by what they were named with.

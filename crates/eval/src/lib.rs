@@ -54,6 +54,7 @@ pub mod measures;
 pub mod mesh;
 pub mod morph;
 pub mod mpfb;
+mod nearest;
 pub mod proportion;
 pub mod rig_measure;
 pub mod scene;

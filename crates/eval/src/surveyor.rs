@@ -8,6 +8,7 @@ use super::attachment::{Probe, probes};
 use super::lists::Lists;
 use super::macros::MacroWork;
 use super::mesh::bounding_box;
+use super::nearest::Nearest;
 use super::scene::{Scene, Setting, WornAsset};
 use super::skeleton::{PARALLEL_SINE, plane_sine};
 use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
@@ -197,8 +198,8 @@ impl<'s> Surveyor<'s> {
     }
 
     fn worn_at_rest(&mut self, rest: &[Point]) {
-        let mut near = Vec::new();
-        let around = |vertex, place| anchor(&self.visible, vertex, place, rest, &mut near);
+        let skin = Nearest::of(&self.visible, rest);
+        let around = |vertex, place| anchor(&skin, vertex, place, rest);
         let probes = probes(&self.scene.worn, rest, around);
         for vertex in probes.iter().flat_map(Probe::vertices) {
             if let Some(holds) = self.holds_probe.get_mut(vertex as usize) {
@@ -307,16 +308,19 @@ impl<'s> Surveyor<'s> {
         let of_helpers = self.of_helpers();
         let around = self.visible.len().saturating_add(of_helpers.len());
         self.is_without_anchors = joints.len().saturating_mul(around) > MOST_PAIRS;
-        let mut near = Vec::new();
+        let (skin, of_helpers) = (
+            Nearest::of(&self.visible, rest),
+            Nearest::of(&of_helpers, rest),
+        );
         for (joint, place) in joints
             .iter()
             .enumerate()
             .filter(|_| !self.is_without_anchors)
         {
-            let Some(of_skin) = anchor(&self.visible, joint, *place, rest, &mut near) else {
+            let Some(of_skin) = anchor(&skin, joint, *place, rest) else {
                 return;
             };
-            let helper = anchor(&of_helpers, joint, *place, rest, &mut near);
+            let helper = anchor(&of_helpers, joint, *place, rest);
             self.helpers
                 .push(helper.filter(|helper| helper.stand < of_skin.stand));
             self.anchors.push(of_skin);
@@ -373,32 +377,12 @@ impl<'s> Surveyor<'s> {
     }
 }
 
-/// Those of `skin` that are nearest to a joint. `None` without any. `near` is room for all of them,
-/// which is made once.
-fn anchor(
-    skin: &[u32],
-    joint: usize,
-    place: Point,
-    rest: &[Point],
-    near: &mut Vec<(f32, u32)>,
-) -> Option<Anchor> {
-    let square = |vertex: u32| {
-        rest.get(vertex as usize)
-            .map(|point| sub(*point, place))
-            .map(|way| dot(way, way))
-    };
-    near.clear();
-    near.extend(
-        skin.iter()
-            .filter_map(|vertex| Some((square(*vertex)?, *vertex))),
-    );
-    let count = SKIN_AROUND_JOINT.min(near.len());
-    near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| {
-        a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
-    });
-    near.truncate(count);
-    let mut skin: Vec<u32> = near.iter().map(|(_, vertex)| *vertex).collect();
-    skin.sort_unstable();
+/// Those of `skin` that are nearest to a joint. `None` without any.
+fn anchor(skin: &Nearest, joint: usize, place: Point, rest: &[Point]) -> Option<Anchor> {
+    let skin = skin.to(place, SKIN_AROUND_JOINT);
+    if skin.is_empty() {
+        return None;
+    }
     let distance = stand(place, &skin, rest);
     let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);
     Some(Anchor {

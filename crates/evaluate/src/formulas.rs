@@ -51,15 +51,16 @@ pub fn evaluated() -> impl Iterator<Item = Application> {
     Application::ALL.into_iter()
 }
 
-/// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None`
-/// for an application that is not evaluated, and without a mesh that vertices can be counted on.
+/// Measures a body as an application shows it; `rows` are those of its targets, and may be those of
+/// others, too. `None` for an application that is not evaluated, and without a mesh that vertices
+/// can be counted on.
 ///
 /// Takes layers, not a view: their targets are not all read yet.
 pub fn measure(
     application: Application,
     layers: Layers<'_>,
     name: &str,
-    rows: &mut Rows,
+    rows: &Rows,
     options: &Config,
 ) -> Option<Measures> {
     match application {

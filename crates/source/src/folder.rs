@@ -1,9 +1,10 @@
 //! Where a folder is, so that paths as reports print them can be told relative to it.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use super::path::is_below;
+use super::path::{is_below_any, without_slashes};
 use super::place::{canonical, named, slashed};
 
 /// A folder that globs are relative to.
@@ -46,22 +47,21 @@ impl Folder {
         })
     }
 
-    /// Whether `rel`, a path below this folder, lies at or below another place.
+    /// Whether `rel`, a path below this folder, lies at or below one of other places.
     pub fn lies_in(&self, rel: &str, outer: &Outer) -> bool {
         if self.here.is_empty() {
-            return is_below(rel, &outer.path);
+            return is_below_any(rel, &outer.paths);
         }
-        let outer = outer.names.get_or_init(|| {
-            self.absolute(&outer.path)
-                .into_iter()
-                .chain(names_of(Path::new(&outer.path)))
-                .collect()
-        });
-        self.names.iter().any(|name| {
-            outer
-                .iter()
-                .any(|outer| is_below(&plain(&format!("{name}/{rel}")), outer))
-        })
+        let names_of = |path: &String| {
+            let own = self.absolute(path).into_iter();
+            own.chain(names_of(Path::new(path))).collect::<Vec<_>>()
+        };
+        let outer = outer
+            .names
+            .get_or_init(|| without_slashes(outer.paths.iter().flat_map(names_of)));
+        self.names
+            .iter()
+            .any(|name| is_below_any(&plain(&format!("{name}/{rel}")), outer))
     }
 
     fn absolute(&self, path: &str) -> Vec<String> {
@@ -75,19 +75,18 @@ impl Folder {
     }
 }
 
-/// A printed path that others may lie in. Its absolute names are asked of the file system once for
-/// all of them.
+/// Printed paths that others may lie in. Their absolute names are asked of the file system once.
 #[derive(Debug)]
 pub struct Outer {
-    path: String,
-    names: OnceLock<Vec<String>>,
+    paths: BTreeSet<String>,
+    names: OnceLock<BTreeSet<String>>,
 }
 
 impl Outer {
-    /// The place of a printed path.
-    pub fn of(path: &str) -> Self {
+    /// The places of printed paths.
+    pub fn of<'p>(paths: impl IntoIterator<Item = &'p str>) -> Self {
         Self {
-            path: path.to_owned(),
+            paths: without_slashes(paths.into_iter().map(str::to_owned)),
             names: OnceLock::new(),
         }
     }
@@ -162,16 +161,16 @@ mod tests {
             here: vec!["/w/repo".to_owned()],
             names: vec!["/w/repo".to_owned()],
         };
-        assert!(folder.lies_in("data/target", &Outer::of("data")));
-        assert!(folder.lies_in("", &Outer::of("..")));
-        let data = Outer::of("data");
+        assert!(folder.lies_in("data/target", &Outer::of(["data"])));
+        assert!(folder.lies_in("", &Outer::of([".."])));
+        let data = Outer::of(["data"]);
         assert!(!folder.lies_in("", &data) && !folder.lies_in("database", &data));
     }
 
     #[test]
     fn in_memory_paths_are_relative_already() {
         assert_eq!(Folder::default().relative("a/b").as_deref(), Some("a/b"));
-        let lies_in = |outer: &str| Folder::default().lies_in("a/b", &Outer::of(outer));
+        let lies_in = |outer: &str| Folder::default().lies_in("a/b", &Outer::of([outer]));
         assert!(lies_in("") && !lies_in("a/c"));
     }
 }

@@ -1,5 +1,7 @@
 //! Paths as texts: relative to a root, with forward slashes.
 
+use std::collections::BTreeSet;
+
 /// Whether a path is another one or lies below it.
 pub fn is_below(path: &str, outer: &str) -> bool {
     let outer = outer.trim_end_matches('/');
@@ -7,6 +9,19 @@ pub fn is_below(path: &str, outer: &str) -> bool {
         || path
             .strip_prefix(outer)
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+}
+
+/// Whether a path is one of others, which do not end with `/`, or lies below one of them.
+pub fn is_below_any(path: &str, outer: &BTreeSet<String>) -> bool {
+    !outer.is_empty() && folders_above(path).any(|above| outer.contains(above))
+}
+
+/// The paths as [`is_below_any`] has them.
+pub fn without_slashes(paths: impl IntoIterator<Item = String>) -> BTreeSet<String> {
+    let paths = paths.into_iter();
+    paths
+        .map(|path| path.trim_end_matches('/').to_owned())
+        .collect()
 }
 
 /// The folder of a path, empty at the top, and the name in it.

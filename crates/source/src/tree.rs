@@ -188,7 +188,13 @@ impl Tree {
         }
     }
 
-    fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
+    fn new(
+        label: String,
+        backend: Backend,
+        entries: Vec<Entry>,
+        mut faults: Vec<WalkFault>,
+    ) -> Self {
+        faults.sort_by(|one, other| one.path.cmp(&other.path));
         let (changed, seen, pack, journals) = (BTreeMap::new(), None, None, Vec::new());
         Self {
             label,
@@ -227,9 +233,30 @@ impl Tree {
         &self.entries
     }
 
-    /// What the walk could not list.
+    /// What the walk could not list, sorted by path.
     pub fn faults(&self) -> &[WalkFault] {
         &self.faults
+    }
+
+    /// What of it lies below a folder.
+    pub fn faults_in(&self, folder: &str) -> &[WalkFault] {
+        if folder.is_empty() {
+            return &self.faults;
+        }
+        let inside = format!("{folder}/");
+        let start = self.faults.partition_point(|fault| fault.path < inside);
+        let from = self.faults.get(start..).unwrap_or_default();
+        let count = from.partition_point(|fault| fault.path.starts_with(&inside));
+        from.get(..count).unwrap_or_default()
+    }
+
+    /// What of it lies at a path.
+    pub fn faults_at(&self, path: &str) -> &[WalkFault] {
+        let by_path = |fault: &WalkFault| fault.path.as_str() < path;
+        let from = self.faults.get(self.faults.partition_point(by_path)..);
+        let from = from.unwrap_or_default();
+        let count = from.partition_point(|fault| fault.path == path);
+        from.get(..count).unwrap_or_default()
     }
 
     /// Journals of runs that fix, where they lie on disk.
@@ -416,7 +443,8 @@ impl Tree {
             .iter()
             .filter(|fault| !contents.contains_key(&fault.path))
             .cloned();
-        let faults = faults.chain(given_up).collect();
+        let mut faults: Vec<WalkFault> = faults.chain(given_up).collect();
+        faults.sort_by(|one, other| one.path.cmp(&other.path));
         let entries = entries.into_values().collect();
         let (label, backend, pack) = (self.label.clone(), self.backend.clone(), self.pack.clone());
         Self {

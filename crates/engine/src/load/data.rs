@@ -2,16 +2,20 @@
 
 use super::identify::identify;
 use super::layer::{MeshSizes, Reader, load, read_all, size_for};
-use super::place::Place;
+use super::narrow::Narrow;
+use super::place::{Place, PlaceKey};
 use super::roots::Roots;
-use super::stack::{Roles, roles};
+use super::stack::{Around, Roles, roles};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
 use mhlint_config::Config;
 use mhlint_diag::Application;
 use mhlint_discover::{Candidate, Layout, Role};
 use mhlint_evaluate::Rows;
 use mhlint_formats::target::MeshSize;
 use mhlint_repo::{FileFacts, Layer};
-use mhlint_source::{Limits, Tree, is_below};
+use mhlint_source::{Limits, Tree};
 
 /// A data root with its facts.
 pub(crate) struct Loaded<'t> {
@@ -22,9 +26,9 @@ pub(crate) struct Loaded<'t> {
     /// The applications of which it is the data as those of `--system` are, so that these do not
     /// lie below it.
     pub(super) alone: Vec<Application>,
-    /// Sizes of the meshes in it, and of those below it.
+    /// Sizes of the meshes in it, and of those below it that something in it belongs to.
     sizes: MeshSizes,
-    narrow: Vec<String>,
+    narrow: Arc<Narrow>,
 }
 
 /// All data of a run.
@@ -33,6 +37,12 @@ pub(crate) struct Data<'t> {
     pub(crate) systems: Vec<Loaded<'t>>,
     /// The roots to check.
     pub(crate) roots: Vec<Loaded<'t>>,
+    /// For each application the sizes of the meshes that may lie below a root: those of the system
+    /// data that was given for it, else of what was read that is the system.
+    below: BTreeMap<Application, MeshSizes>,
+    /// Numbers of all roots, those of systems first.
+    numbers: BTreeMap<PlaceKey, Vec<usize>>,
+    pub(super) around: Around,
 }
 
 impl<'t> Loaded<'t> {
@@ -40,7 +50,7 @@ impl<'t> Loaded<'t> {
     fn load(
         place: Place<'t>,
         roles: Roles,
-        narrow: Vec<String>,
+        narrow: Arc<Narrow>,
         below: MeshSizes,
         reader: Reader<'_>,
     ) -> Self {
@@ -67,15 +77,9 @@ impl<'t> Loaded<'t> {
         self.role_in(application) == Some(Role::System)
     }
 
-    /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is
-    /// a whole.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = &str> {
-        let narrow = if self.place.is_loose {
-            &[]
-        } else {
-            self.narrow.as_slice()
-        };
-        narrow.iter().map(String::as_str)
+    /// What alone is asked for of a data root. A loose file is a whole.
+    pub(crate) fn parts(&self) -> Option<&Arc<Narrow>> {
+        (!self.place.is_loose).then_some(&self.narrow)
     }
 
     /// Whether the mesh that a file belongs to is known.
@@ -86,7 +90,7 @@ impl<'t> Loaded<'t> {
 
     /// Whether a path is one that the PATHs ask for.
     pub(crate) fn is_asked_for(&self, path: &str) -> bool {
-        self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
+        self.narrow.asks_for(path)
     }
 
     /// Reads the bulk of one base (`None`: of no base): its targets. Gives their rows if they are
@@ -156,27 +160,51 @@ impl<'t> Data<'t> {
                 .map(|layout| (layout.application, Role::System))
                 .collect();
             let reader = reader(&place);
-            Loaded::load(place, roles, Vec::new(), MeshSizes::new(), reader)
+            Loaded::load(place, roles, Arc::default(), MeshSizes::new(), reader)
         };
         let systems: Vec<Loaded<'t>> = systems.into_iter().map(as_system).collect();
-        let roles = roles(places.iter().map(|(place, _)| place));
+        let mut below = BTreeMap::new();
+        for system in &systems {
+            for (application, _) in &system.roles {
+                below.entry(*application).or_insert(system.sizes.clone());
+            }
+        }
+        let roles = roles(&places.iter().map(|(place, _)| place).collect::<Vec<_>>());
         let mut places: Vec<_> = places.into_iter().zip(roles).collect();
         // System data first: a user root may lack the meshes that its targets are for.
         places.sort_by_key(|(_, roles)| roles.iter().all(|(_, role)| *role != Role::System));
         let mut data = Self {
             systems,
             roots: Vec::new(),
+            below,
+            numbers: BTreeMap::new(),
+            around: Around::default(),
         };
         for ((place, narrow), roles) in places {
             for (place, roles) in data.with_one_mesh(place, roles) {
-                let below = data.meshes_below(&roles);
+                let below = data.meshes_below(&place.owners(), &roles);
                 let reader = reader(&place);
-                let mut root = Loaded::load(place, roles, narrow.clone(), below, reader);
+                let mut root = Loaded::load(place, roles, Arc::clone(&narrow), below, reader);
                 root.alone = data.alone(&root);
-                data.roots.push(root);
+                data.add(root);
             }
         }
+        for (number, root) in data.systems.iter().chain(&data.roots).enumerate() {
+            let known = data.numbers.entry(root.place.key()).or_default();
+            known.push(number);
+        }
+        data.around = Around::of(&data.roots);
         data
+    }
+
+    fn add(&mut self, root: Loaded<'t>) {
+        let is_system = |one: &Application| root.is_system_for(*one) && self.given(*one).is_none();
+        let own = root.roles.iter().map(|(application, _)| *application);
+        for application in own.filter(is_system).collect::<Vec<_>>() {
+            let below = self.below.entry(application).or_default();
+            below.extend(root.sizes.iter().map(|(name, mesh)| (name.clone(), *mesh)));
+        }
+        self.roots.push(root);
     }
 
     /// Says of each root what its applications take it for.
@@ -187,9 +215,10 @@ impl<'t> Data<'t> {
     /// A root as it is, or once for each of its applications where these have other base meshes
     /// below it: what is counted while a file is read depends on the mesh.
     fn with_one_mesh(&self, place: Place<'t>, roles: Roles) -> Vec<(Place<'t>, Roles)> {
+        let owners = place.owners();
         let below: Vec<MeshSizes> = roles
             .iter()
-            .map(|role| self.meshes_below(&vec![*role]))
+            .map(|role| self.meshes_below(&owners, std::slice::from_ref(role)))
             .collect();
         let differ = |one: &MeshSizes, other: &MeshSizes| {
             one.iter()
@@ -226,23 +255,14 @@ impl<'t> Data<'t> {
             .collect()
     }
 
-    /// Sizes of the meshes that may lie below a root: those of the system data that was given for
-    /// an application of its, else of what was read that is the system.
-    fn meshes_below(&self, roles: &Roles) -> MeshSizes {
-        let mut sizes = MeshSizes::new();
-        for (application, _) in roles {
-            let is_system = |root: &&Loaded<'_>| root.is_system_for(*application);
-            let given = self.systems.iter().find(is_system);
-            let found = self
-                .roots
-                .iter()
-                .filter(|root| given.is_none() && is_system(root));
-            given
-                .into_iter()
-                .chain(found)
-                .for_each(|root| sizes.extend(root.sizes.clone()));
-        }
-        sizes
+    /// Sizes of the meshes of these names that may lie below a root.
+    fn meshes_below(&self, names: &BTreeSet<&str>, roles: &[(Application, Role)]) -> MeshSizes {
+        let below = roles.iter().filter_map(|(one, _)| self.below.get(one));
+        let sizes = below.flat_map(|below| {
+            let known = |name: &&str| Some(((*name).to_owned(), *below.get(*name)?));
+            names.iter().filter_map(known)
+        });
+        sizes.collect()
     }
 
     /// Every root, those of systems first.
@@ -261,7 +281,13 @@ impl<'t> Data<'t> {
 
     /// The root at the same place as one on the other side of a comparison.
     fn counterpart(&self, place: &Place<'_>) -> Option<&Loaded<'t>> {
-        self.all().find(|own| own.place.is_counterpart(place))
+        self.all().nth(*self.numbers.get(&place.key())?.first()?)
+    }
+
+    /// The numbers of those of the roots to check that are at such a place.
+    pub(crate) fn counterparts(&self, place: &Place<'_>) -> impl Iterator<Item = usize> {
+        let numbers = self.numbers.get(&place.key()).into_iter().flatten();
+        numbers.filter_map(|number| number.checked_sub(self.systems.len()))
     }
 
     /// Every root, those of systems first.
@@ -293,7 +319,7 @@ mod tests {
             files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())),
         );
         let layouts = [Application::Mpfb, Application::Makehuman1].map(Layout::of);
-        let checked = vec![(Place::new(&tree, "", &layouts), Vec::new())];
+        let checked = vec![(Place::new(&tree, "", &layouts), Arc::default())];
         let mut data = Data::load(
             Roots {
                 checked,
@@ -348,7 +374,7 @@ mod tests {
             ("d", Application::Mpfb),
         ];
         let checked = checked
-            .map(|(root, application)| (place(&own, root, application), Vec::new()))
+            .map(|(root, application)| (place(&own, root, application), Arc::default()))
             .into();
         let data = Data::load(Roots { checked, systems }, &Limits::default(), None);
         let seen = |stack: &Stack<'_, '_>| {
@@ -392,8 +418,8 @@ mod tests {
         let [of_given, of_found] = layouts;
         let systems = vec![Place::new(&given, "", &[of_given])];
         let checked = vec![
-            (Place::new(&both, "", &layouts), Vec::new()),
-            (Place::new(&found, "", &[of_found]), Vec::new()),
+            (Place::new(&both, "", &layouts), Arc::default()),
+            (Place::new(&found, "", &[of_found]), Arc::default()),
         ];
         let data = Data::load(Roots { checked, systems }, &Limits::default(), None);
         let root = data

@@ -6,27 +6,29 @@
 )]
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::super::error::{Error, PathFault};
 use super::found::{look_into, roots_of};
+use super::narrow::Narrow;
 use mhlint_diag::Application;
 use mhlint_discover::{
     Layout, Listing, Meant, TEST_DATA, find_roots, is_read_though_hidden, new_base,
 };
 use mhlint_source::{
-    self as source, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below,
-    read_file, slashed,
+    self as source, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, read_file,
+    slashed,
 };
 
 /// A tree to look for data roots in.
 pub(crate) struct Input {
     pub(crate) tree: Tree,
-    /// Report only below these printed paths; empty for everything.
-    pub(crate) narrow: Vec<String>,
+    /// Report only on these printed paths.
+    pub(crate) narrow: Arc<Narrow>,
     /// The PATHs that led here, as printed.
-    pub(crate) named: Vec<String>,
+    pub(crate) named: BTreeSet<String>,
     /// The base mesh that a zip brings with it, by its name.
     pub(crate) new_base: Option<String>,
     /// Whether it is the folder around a file that alone was named.
@@ -37,12 +39,12 @@ pub(crate) struct Input {
 
 impl Input {
     pub(crate) fn whole(tree: Tree) -> Self {
-        let named = vec![tree.label().to_owned()];
+        let named = BTreeSet::from([tree.label().to_owned()]);
         let name = tree.label().rsplit('/').next().unwrap_or_default();
         let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
         Self {
             tree,
-            narrow: Vec::new(),
+            narrow: Arc::default(),
             named,
             new_base,
             is_beside: false,
@@ -54,8 +56,8 @@ impl Input {
     fn part(tree: Tree, path: String) -> Self {
         Self {
             tree,
-            narrow: vec![path.clone()],
-            named: vec![path],
+            narrow: Arc::new(Narrow::to(vec![path.clone()])),
+            named: BTreeSet::from([path]),
             new_base: None,
             is_beside: false,
             tests: None,
@@ -64,21 +66,19 @@ impl Input {
 
     /// Whether a printed path is one that the PATHs ask for.
     pub(super) fn asks_for(&self, path: &str) -> bool {
-        self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
+        self.narrow.asks_for(path)
     }
 
     /// Whether it is a folder that is opened for parts of it: a data root, or one with data and
     /// what lies beside them.
     fn is_home(&self) -> bool {
-        !self.narrow.is_empty() && !self.is_beside && self.tree.pack().is_none()
+        !self.narrow.is_whole() && !self.is_beside && self.tree.pack().is_none()
     }
 
     /// Takes in another PATH to a part of the same tree.
     fn ask_for(&mut self, path: String) {
-        if !self.narrow.is_empty() {
-            self.narrow.push(path.clone());
-        }
-        self.named.push(path);
+        Arc::make_mut(&mut self.narrow).join(&Narrow::to(vec![path.clone()]));
+        self.named.insert(path);
     }
 
     /// Takes in another PATH to the same tree.
@@ -98,16 +98,12 @@ impl Input {
             None => self.tree.shown(folder),
         };
         let named: Vec<String> = other.named.iter().map(here).collect();
-        let narrow: Vec<String> = match other.narrow.as_slice() {
+        let narrow: Vec<String> = match other.narrow.paths() {
             [] if folder.is_empty() => Vec::new(),
             [] => vec![self.tree.shown(folder)],
             narrow => narrow.iter().map(here).collect(),
         };
-        if self.narrow.is_empty() || narrow.is_empty() {
-            self.narrow.clear();
-        } else {
-            self.narrow.extend(narrow);
-        }
+        Arc::make_mut(&mut self.narrow).join(&Narrow::to(narrow));
         self.named.extend(named);
     }
 }
@@ -120,18 +116,18 @@ pub(crate) fn open(
     limits: &Limits,
 ) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
+    let mut places: BTreeMap<PathBuf, usize> = BTreeMap::new();
     let known = KnownRoots::default();
     for path in paths {
         let place = canonical(path)?;
         let part = (place.is_file() && !is_pack(path))
             .then(|| Part::of_file(path, &place, applications, &known));
         let known_tree = part.as_ref().and_then(|part| {
-            inputs
-                .iter_mut()
-                .find(|(root, input)| *root == part.root && input.is_beside == part.is_beside)
+            let (_, input) = inputs.get_mut(*places.get(&part.root)?)?;
+            (input.is_beside == part.is_beside).then_some(input)
         });
         // A hook names many files of one tree: it is walked once.
-        if let (Some((_, input)), Some(part)) = (known_tree, &part) {
+        if let (Some(input), Some(part)) = (known_tree, &part) {
             let below = place
                 .strip_prefix(&part.root)
                 .map(slashed)
@@ -144,43 +140,55 @@ pub(crate) fn open(
             None => open_whole(path, place, applications, limits, &known)?,
         };
         input.tests = tests_of(path);
-        match inputs.iter_mut().find(|(known, _)| *known == root) {
+        match places.get(&root).and_then(|at| inputs.get_mut(*at)) {
             Some((_, known)) => known.join(input),
-            None => inputs.push((root, input)),
+            None => {
+                places.insert(root.clone(), inputs.len());
+                inputs.push((root, input));
+            }
         }
     }
-    let parts = inputs
-        .iter()
-        .map(|(root, input)| input.is_home().then(|| root.clone()));
-    for home in parts.collect::<Vec<_>>().into_iter().flatten() {
-        take_in(&mut inputs, &home);
+    let mut inputs: Vec<_> = inputs
+        .into_iter()
+        .map(|(root, input)| (root, Some(input)))
+        .collect();
+    for at in 0..inputs.len() {
+        take_in(&mut inputs, &places, at);
     }
-    Ok(inputs.into_iter().map(|(_, input)| input).collect())
+    Ok(inputs.into_iter().filter_map(|(_, input)| input).collect())
 }
 
 /// Adds what was asked for inside of a folder, which is opened for what lies beside data, to what
-/// is asked for of it: the data are the same.
-fn take_in(inputs: &mut Vec<(PathBuf, Input)>, home: &Path) {
-    let Some(at) = inputs.iter().position(|(root, _)| root == home) else {
+/// is asked for of it: the data are the same. `places` are those of the inputs by their tops.
+fn take_in(inputs: &mut [(PathBuf, Option<Input>)], places: &BTreeMap<PathBuf, usize>, at: usize) {
+    let Some((home, input)) = inputs.get_mut(at) else {
         return;
     };
-    let (_, mut own) = inputs.remove(at);
-    let mut others = Vec::new();
-    for (root, input) in std::mem::take(inputs) {
-        let is_listed = |folder: &String| {
-            own.tree
-                .entries()
-                .iter()
-                .any(|entry| is_below(&entry.path, folder))
+    let home = home.clone();
+    let Some(mut own) = input.take_if(|input| input.is_home()) else {
+        return;
+    };
+    // Paths are in order of their parts, so that those below a folder follow it.
+    let inside = places
+        .range(home.clone()..)
+        .take_while(|(root, _)| root.starts_with(&home));
+    for (root, other) in inside.filter(|(_, other)| **other != at) {
+        let Ok(folder) = root.strip_prefix(&home).map(slashed) else {
+            continue;
         };
-        let folder = root.strip_prefix(home).map(slashed).ok().filter(is_listed);
-        match folder.filter(|_| input.tree.pack().is_none()) {
-            Some(folder) => own.take_over(&folder, input),
-            None => others.push((root, input)),
+        let is_listed =
+            own.tree.entry(&folder).is_some() || !own.tree.entries_in(&folder).is_empty();
+        let other = inputs.get_mut(*other).map(|(_, other)| other);
+        let other = other
+            .filter(|_| is_listed)
+            .and_then(|other| other.take_if(|other| other.tree.pack().is_none()));
+        if let Some(other) = other {
+            own.take_over(&folder, other);
         }
     }
-    others.insert(at.min(others.len()), (home.to_owned(), own));
-    *inputs = others;
+    if let Some((_, input)) = inputs.get_mut(at) {
+        *input = Some(own);
+    }
 }
 
 /// Whose test data a path lies among: they stand beside the source of the application.

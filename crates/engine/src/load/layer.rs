@@ -15,14 +15,14 @@ use super::data::Loaded;
 use super::place::Place;
 use super::read;
 use mhlint_diag::grouped;
-use mhlint_discover::{Candidate, Kind, Layout, Role, extension};
+use mhlint_discover::{Candidate, Kind, Role, extension};
 use mhlint_evaluate::Rows;
 use mhlint_formats::Format;
 use mhlint_formats::Needs;
 use mhlint_formats::obj::Mesh;
 use mhlint_formats::target::{MeshSize, Row};
 use mhlint_repo::{FileFacts, Layer};
-use mhlint_source::{Entry, Limits, Tree, WalkFault, WalkFaultKind};
+use mhlint_source::{Entry, Limits, Tree, WalkFault, WalkFaultKind, folder_and_name, inside};
 
 /// Sizes of base meshes by name.
 pub(crate) type MeshSizes = BTreeMap<String, KnownMesh>;
@@ -266,30 +266,19 @@ fn is_compared(file: &FileFacts) -> bool {
         && file.size > 0
 }
 
-/// Whether what is at a path belongs to the data root although it lies beside it.
-fn belongs_beside(place: &Place<'_>, path: &str) -> bool {
-    let rel = relative_beside(&place.root, path);
-    let top = rel
-        .as_deref()
-        .and_then(|rel| rel.strip_prefix("../")?.split('/').next());
-    let has = |layout: &&&Layout| top.is_some_and(|top| layout.beside.contains(&top));
-    place
-        .layouts
-        .iter()
-        .filter(has)
-        .any(|layout| (layout.role)(&place.below) != Role::System)
+/// The names of what lies beside a data root and belongs to it.
+fn names_beside(place: &Place<'_>) -> BTreeSet<&'static str> {
+    let layouts = place.layouts.iter().filter(|one| !one.beside.is_empty());
+    let of_users = layouts.filter(|layout| (layout.role)(&place.below) != Role::System);
+    of_users
+        .flat_map(|layout| layout.beside.iter().copied())
+        .collect()
 }
 
 /// The path from a data root called `data` to what lies beside it.
 fn relative_beside(root: &str, path: &str) -> Option<String> {
-    let (above, name) = root
-        .rsplit_once('/')
-        .map_or(("", root), |(above, name)| (above, name));
-    let rel = if above.is_empty() {
-        path
-    } else {
-        path.strip_prefix(above)?.strip_prefix('/')?
-    };
+    let (above, name) = folder_and_name(root);
+    let rel = inside(path, above)?;
     (name == "data").then(|| format!("../{rel}"))
 }
 
@@ -298,22 +287,35 @@ fn faults_below(place: &Place<'_>) -> Vec<WalkFault> {
     if place.is_loose {
         return Vec::new();
     }
-    let prefix = if place.root.is_empty() {
-        String::new()
+    let (tree, root) = (place.tree, place.root.as_str());
+    let (above, name) = folder_and_name(root);
+    let names = if name == "data" && !tree.faults().is_empty() {
+        names_beside(place)
     } else {
-        format!("{}/", place.root)
+        BTreeSet::new()
     };
-    let relative = |path: &str| {
-        let beside = || {
-            belongs_beside(place, path)
-                .then(|| relative_beside(&place.root, path))
-                .flatten()
-        };
-        path.strip_prefix(&prefix)
+    let top = |rel: &str| {
+        rel.strip_prefix("../")?
+            .split('/')
+            .next()
             .map(str::to_owned)
-            .or_else(beside)
     };
-    let faults = place.tree.faults().iter();
+    let is_beside = |rel: &String| top(rel).is_some_and(|top| names.contains(top.as_str()));
+    let relative = |path: &str| {
+        let beside = || relative_beside(root, path).filter(is_beside);
+        inside(path, root).map(str::to_owned).or_else(beside)
+    };
+    let beside = names.iter().flat_map(|name| {
+        let folder = if above.is_empty() {
+            (*name).to_owned()
+        } else {
+            format!("{above}/{name}")
+        };
+        tree.faults_at(&folder)
+            .iter()
+            .chain(tree.faults_in(&folder))
+    });
+    let faults = tree.faults_in(root).iter().chain(beside);
     faults
         .filter_map(|fault| {
             let path = relative(&fault.path)?;

@@ -2,9 +2,11 @@
 
 use std::cell::{LazyCell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::super::error::Error;
 use super::input::Input;
+use super::narrow::Narrow;
 use super::place::Place;
 use super::unit_names::UnitNames;
 use mhlint_config::Config;
@@ -15,7 +17,7 @@ use mhlint_discover::{
 };
 use mhlint_formats::target::{has_broken_rows, recognise};
 use mhlint_source::{
-    Entry, Limits, Tree, canonical, folder_and_name, folders_above, is_below, lines, slashed,
+    Entry, Limits, Tree, canonical, folder_and_name, folders_above, lines, slashed,
 };
 
 /// Files of an input outside of its data roots, on their way to an application.
@@ -63,6 +65,8 @@ pub(super) struct Seen {
     beside_target: OnceCell<BTreeSet<String>>,
     /// Of data roots whether what lies in them is no loose asset.
     kept: RefCell<BTreeMap<String, bool>>,
+    /// Whether some data root is one of an application that is asked for.
+    has_asked: OnceCell<bool>,
 }
 
 impl<'t> Outside<'t, '_> {
@@ -71,7 +75,7 @@ impl<'t> Outside<'t, '_> {
     pub(super) fn place(
         &self,
         layout: &'static Layout,
-    ) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
+    ) -> Result<Option<(Place<'t>, Arc<Narrow>)>, Error> {
         let input = self.input;
         let is_asked = |entry: &Entry| self.is_asked(entry, layout);
         let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
@@ -103,16 +107,13 @@ impl<'t> Outside<'t, '_> {
             (Some(first), _) if self.given.options.bases.len() > 1 => Err(Error::SeveralBases {
                 file: input.tree.shown(&first.entry.path),
             }),
-            (_, is_empty) => Ok((!is_empty).then_some((place, narrow))),
+            (_, is_empty) => Ok((!is_empty).then(|| (place, Arc::new(narrow)))),
         }
     }
 
     fn is_asked(&self, entry: &Entry, layout: &Layout) -> bool {
-        let around = || {
-            self.roots
-                .iter()
-                .filter(|(root, _)| is_below(&entry.path, root))
-        };
+        let around =
+            || folders_above(&entry.path).filter_map(|above| self.roots.get_key_value(above));
         let is_own = |layouts: &[&Layout]| {
             layouts
                 .iter()
@@ -136,12 +137,11 @@ impl<'t> Outside<'t, '_> {
     /// Whether what lies in a data root is no loose asset. A user's data of an application that is
     /// not asked for may be installed in that of another one.
     fn keeps(&self, root: &str, layouts: &[&'static Layout]) -> bool {
-        if self
-            .roots
-            .values()
-            .flatten()
-            .any(|layout| self.given.options.asks_for(layout.application))
-        {
+        let has_asked = || {
+            let mut all = self.roots.values().flatten();
+            all.any(|layout| self.given.options.asks_for(layout.application))
+        };
+        if *self.seen.has_asked.get_or_init(has_asked) {
             return true;
         }
         let is_users = |layout: &Layout| {

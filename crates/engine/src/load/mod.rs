@@ -10,6 +10,7 @@ mod identify;
 mod input;
 mod layer;
 mod loose;
+mod narrow;
 mod open;
 mod pack;
 mod place;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::Arc;
 
 use super::data::Data;
 use super::input::{open, open_system};
@@ -45,7 +46,7 @@ pub fn open_base(
     let checked = given
         .iter()
         .flat_map(|tree| checked_places(tree, &at_hand, &applications));
-    let checked: Vec<_> = checked.map(|place| (place, Vec::new())).collect();
+    let checked: Vec<_> = checked.map(|place| (place, Arc::default())).collect();
     if checked.is_empty() {
         return Err(no_data(root));
     }

@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::narrow::Narrow;
 use mhlint_diag::{Application, grouped};
 use mhlint_discover::{Candidate, Known, Layout, Role, Use, candidates, loose};
 use mhlint_formats::Format;
 use mhlint_formats::Needs;
 use mhlint_repo::Pack;
-use mhlint_source::{Tree, is_below};
+use mhlint_source::{Tree, is_below_any};
 
 /// A data root in its tree.
 pub(crate) struct Place<'t> {
@@ -19,7 +20,7 @@ pub(crate) struct Place<'t> {
     /// Whether it is no data root at all, but files that would belong into one.
     pub(super) is_loose: bool,
     /// Data roots of other applications inside it.
-    inner: Vec<String>,
+    inner: BTreeSet<String>,
     /// Whether it is a data root of other applications as well, which have it as another place.
     is_shared: bool,
     /// The zip that it is in, if it is in one.
@@ -34,7 +35,7 @@ pub(crate) struct Place<'t> {
 impl<'t> Place<'t> {
     /// The data root at `root` with these layouts.
     pub(crate) fn new(tree: &'t Tree, root: &str, layouts: &[&'static Layout]) -> Self {
-        Self::around(tree, root, layouts, Vec::new())
+        Self::around(tree, root, layouts, BTreeSet::new())
     }
 
     /// The data root at `root`, without those of other applications inside it.
@@ -42,7 +43,7 @@ impl<'t> Place<'t> {
         tree: &'t Tree,
         root: &str,
         layouts: &[&'static Layout],
-        inner: Vec<String>,
+        inner: BTreeSet<String>,
     ) -> Self {
         let mut below = candidates(tree, root, layouts);
         if !inner.is_empty() {
@@ -60,16 +61,16 @@ impl<'t> Place<'t> {
         tree: &'t Tree,
         layout: &'static Layout,
         known: &Known<'_>,
-        narrow: &[String],
-    ) -> (Self, Vec<String>) {
+        narrow: &Narrow,
+    ) -> (Self, Narrow) {
         let loose = loose(tree, layout, known);
         let files = narrow
+            .paths()
             .iter()
             .filter_map(|path| tree.entry(tree.below(path)?));
-        let parts = files
-            .flat_map(|file| loose.belonging_to(&file.path))
-            .map(|path| tree.shown(path));
-        let parts = narrow.iter().cloned().chain(parts).collect();
+        let parts = loose.belonging_to(files.map(|file| file.path.as_str()));
+        let parts = parts.into_iter().map(|path| tree.shown(path));
+        let parts = Narrow::to(narrow.paths().iter().cloned().chain(parts).collect());
         (Self::with(tree, "", &[layout], loose.files, true), parts)
     }
 
@@ -104,7 +105,7 @@ impl<'t> Place<'t> {
             layouts: layouts.to_vec(),
             is_loose,
             is_shared: false,
-            inner: Vec::new(),
+            inner: BTreeSet::new(),
             pack: None,
             below,
             bulk,
@@ -122,14 +123,12 @@ impl<'t> Place<'t> {
         self.is_supposed() || self.is_shared
     }
 
-    /// Whether it has the same files as another one, for other applications.
-    pub(super) fn has_files_of(&self, other: &Self) -> bool {
-        let is_alike = self.is_supposed() == other.is_supposed()
-            && (self.is_supposed() || self.root == other.root);
+    /// What is equal for places that have the same files, for other applications; `None` where no
+    /// other one has them.
+    pub(super) fn files_key(&self) -> Option<(*const Tree, Option<&str>)> {
+        let root = (!self.is_supposed()).then_some(self.root.as_str());
         self.is_one_of_several()
-            && other.is_one_of_several()
-            && std::ptr::eq(self.tree, other.tree)
-            && is_alike
+            .then_some((std::ptr::from_ref(self.tree), root))
     }
 
     /// Path of the root as reports print it.
@@ -163,17 +162,16 @@ impl<'t> Place<'t> {
         !self.is_supposed() && (Layout::of(application).stands_alone)(&self.below, &bases)
     }
 
-    /// Whether it is a data root of the same applications as another place.
-    fn has_layouts_of(&self, other: &Place<'_>) -> bool {
-        self.layouts
-            .iter()
-            .map(|layout| layout.application)
-            .eq(other.layouts.iter().map(|layout| layout.application))
+    /// What is equal for two data roots of the same applications at the same path.
+    pub(crate) fn key(&self) -> PlaceKey {
+        let applications = self.layouts.iter().map(|layout| layout.application);
+        (self.path(), applications.collect())
     }
 
-    /// Whether it is where another data root of the same applications is.
-    pub(crate) fn is_counterpart(&self, other: &Place<'_>) -> bool {
-        self.path() == other.path() && self.has_layouts_of(other)
+    /// The base meshes that something in it belongs to.
+    pub(super) fn owners(&self) -> BTreeSet<&str> {
+        let uses = self.below.iter().flat_map(|one| &one.uses);
+        uses.filter_map(|one| one.owner.as_deref()).collect()
     }
 
     /// Its files but for the bulk.
@@ -204,9 +202,16 @@ impl<'t> Place<'t> {
     }
 }
 
+/// Path and applications of a data root.
+pub(crate) type PlaceKey = (String, Vec<Application>);
+
 /// Takes the data roots of other applications out of one around them, but for what an application
 /// looks for everywhere in its own data, and what is dangerous to it.
-fn leave_out(below: &mut Vec<Candidate<'_>>, inner: &[String], layouts: &[&'static Layout]) {
+fn leave_out(
+    below: &mut Vec<Candidate<'_>>,
+    inner: &BTreeSet<String>,
+    layouts: &[&'static Layout],
+) {
     let systems = layouts
         .iter()
         .filter(|layout| (layout.role)(below) != Role::User);
@@ -215,7 +220,7 @@ fn leave_out(below: &mut Vec<Candidate<'_>>, inner: &[String], layouts: &[&'stat
         .collect();
     below.retain_mut(|one| {
         let path = &one.entry.path;
-        if inner.iter().any(|inner| is_below(path, inner)) {
+        if is_below_any(path, inner) {
             let is_dangerous = |one: &Use| (Layout::of(one.application).is_dangerous)(path);
             one.uses.retain(|one| {
                 everywhere.contains(&(one.application, one.kind)) || is_dangerous(one)

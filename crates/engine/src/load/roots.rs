@@ -1,6 +1,8 @@
 //! Data roots: where they are in the inputs, and which of them are checked.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Bound;
+use std::sync::Arc;
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
@@ -9,21 +11,21 @@ use super::found::{leave_to_homes, roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
 use super::loose::{Given, Outside, Seen};
+use super::narrow::Narrow;
 use super::pack::{asked, packed};
-use super::place::Place;
+use super::place::{Place, PlaceKey};
 use super::set_aside::set_aside;
 use super::singly::unpacked_singly;
 use super::taken::Taken;
 use mhlint_config::Config;
 use mhlint_diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked};
 use mhlint_discover::{Layout, Meant, Role, candidates, is_asset_anywhere, is_of_macos};
-use mhlint_source::{EntryKind, Tree, WalkFaultKind, folders_above, is_below};
+use mhlint_source::{EntryKind, Tree, WalkFaultKind, folders_above};
 
 /// What a run reads.
 pub(crate) struct Roots<'t> {
-    /// The places to check, each with the paths in it that the user asked for; no paths means all
-    /// of it.
-    pub(crate) checked: Vec<(Place<'t>, Vec<String>)>,
+    /// The places to check, each with what of it the user asked for.
+    pub(crate) checked: Vec<(Place<'t>, Arc<Narrow>)>,
     /// The data roots from `--system`, at most one for each application. A data root that is also
     /// the only one to check is left out here.
     pub(crate) systems: Vec<Place<'t>>,
@@ -73,14 +75,20 @@ fn inner(
     roots: &BTreeMap<String, Vec<&'static Layout>>,
     path: &str,
     layouts: &[&'static Layout],
-) -> Vec<String> {
+) -> BTreeSet<String> {
     let is_of = |own: &[&'static Layout], other: &Layout| {
         own.iter().any(|one| one.application == other.application)
     };
     let is_foreign = |others: &[&'static Layout]| !others.iter().any(|other| is_of(layouts, other));
-    let inside: Vec<_> = roots
-        .iter()
-        .filter(|(other, _)| other.as_str() != path && is_below(other, path))
+    let start = if path.is_empty() {
+        String::new()
+    } else {
+        format!("{path}/")
+    };
+    let from = roots.range::<str, _>((Bound::Included(start.as_str()), Bound::Unbounded));
+    let inside: Vec<_> = from
+        .take_while(|(other, _)| other.starts_with(&start))
+        .filter(|(other, _)| other.as_str() != path)
         .collect();
     let is_pack = !inside.is_empty()
         && layouts
@@ -91,7 +99,8 @@ fn inner(
         .filter(|(_, others)| is_pack || is_foreign(others));
     inside
         .flat_map(|(other, layouts)| {
-            [vec![other.clone()], beside_root(tree, other, layouts)].concat()
+            let beside = beside_root(tree, other, layouts);
+            std::iter::once(other.clone()).chain(beside)
         })
         .collect()
 }
@@ -113,7 +122,7 @@ fn in_packs<'t>(
     systems: &[Place<'t>],
     options: &Config,
     applications: &[Application],
-) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+) -> Result<Vec<(Place<'t>, Arc<Narrow>)>, Error> {
     let given = Given::of(systems, options);
     let bases_of = |application| {
         let own = systems
@@ -130,7 +139,7 @@ fn in_packs<'t>(
         let is_left = |one: &Application| !places.iter().any(|place| place.is_of(*one));
         let rest = of_pack.iter().filter(|(one, _)| is_left(one));
         found.extend(unpacked_singly(pack, rest, systems, &given)?);
-        found.extend(places.into_iter().map(|place| (place, Vec::new())));
+        found.extend(places.into_iter().map(|place| (place, Arc::default())));
     }
     Ok(found)
 }
@@ -210,7 +219,7 @@ impl<'t> Roots<'t> {
             .collect();
         for (input, roots) in &found {
             let layouts = layouts_of(roots, applications);
-            packed_places.extend(faults(input, &layouts).map(|place| (place, Vec::new())));
+            packed_places.extend(faults(input, &layouts).map(|place| (place, Arc::default())));
         }
         // The files that lie outside of data roots and are no loose assets: those that belong to a
         // data root beside them, and those that were set aside.
@@ -236,10 +245,7 @@ impl<'t> Roots<'t> {
             });
         }
         let below: Vec<String> = systems.iter().map(Place::path).collect();
-        let mut roots = Self {
-            checked: Vec::new(),
-            systems,
-        };
+        let mut wanted = Wanted::default();
         for (input, all, (path, layouts)) in found
             .iter()
             .flat_map(|(input, roots)| roots.iter().map(move |one| (*input, roots, one)))
@@ -253,32 +259,43 @@ impl<'t> Roots<'t> {
                 let (checked, others) =
                     asked.partition(|layout| applications.contains(&layout.application));
                 let inner = inner(&input.tree, all, path, layouts);
-                roots.add(input, path, inner, [checked, others], outcome);
+                wanted.add(input, path, inner, [checked, others], outcome);
             }
         }
         for (place, narrow) in outside {
-            roots.want(place, &narrow);
+            wanted.want(place, narrow);
         }
+        let mut checked = wanted.places;
         // Added without `want`, which would join places: one zip may give several places for one
         // path, each with other files.
-        roots.checked.extend(packed_places);
-        Ok(roots)
+        checked.extend(packed_places);
+        Ok(Self { checked, systems })
     }
+}
 
+/// The places to check, as they are found.
+#[derive(Default)]
+struct Wanted<'t> {
+    places: Vec<(Place<'t>, Arc<Narrow>)>,
+    /// Numbers of these.
+    known: BTreeMap<PlaceKey, usize>,
+}
+
+impl<'t> Wanted<'t> {
     /// Adds a data root. `checked` are its layouts that the user asks for and that are checked,
     /// `others` those that the user asks for and that this program cannot check.
     fn add(
         &mut self,
         input: &'t Input,
         path: &str,
-        inner: Vec<String>,
+        inner: BTreeSet<String>,
         [checked, others]: [Vec<&'static Layout>; 2],
         outcome: &mut Outcome,
     ) {
         if !checked.is_empty() {
             self.want(
                 Place::around(&input.tree, path, &checked, inner),
-                &input.narrow,
+                Arc::clone(&input.narrow),
             );
         }
         for layout in others {
@@ -288,15 +305,11 @@ impl<'t> Roots<'t> {
 
     /// Adds a place to check. If two PATHs lead to the same place it is checked once, for
     /// everything that either PATH asks for.
-    fn want(&mut self, place: Place<'t>, narrow: &[String]) {
-        match self
-            .checked
-            .iter_mut()
-            .find(|(known, _)| known.is_counterpart(&place))
-        {
-            Some((_, known)) if known.is_empty() || narrow.is_empty() => known.clear(),
-            Some((_, known)) => known.extend_from_slice(narrow),
-            None => self.checked.push((place, narrow.to_vec())),
+    fn want(&mut self, place: Place<'t>, narrow: Arc<Narrow>) {
+        let number = *self.known.entry(place.key()).or_insert(self.places.len());
+        match self.places.get_mut(number) {
+            Some((_, known)) => Arc::make_mut(known).join(&narrow),
+            None => self.places.push((place, narrow)),
         }
     }
 }
@@ -418,7 +431,7 @@ fn places_outside<'t>(
     systems: &[Place<'_>],
     asked: &[Application],
     given: &Given<'_>,
-) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+) -> Result<Vec<(Place<'t>, Arc<Narrow>)>, Error> {
     let options = given.options;
     let is_there = |application: &Application| {
         let layouts = || found.iter().flat_map(|(_, roots)| roots.values()).flatten();

@@ -7,7 +7,7 @@ use super::input::Input;
 use super::roots::Found;
 use mhlint_diag::{NotChecked, Outcome, Unchecked};
 use mhlint_discover::{Aside, aside, is_asset_anywhere, is_fitting_table};
-use mhlint_source::{EntryKind, folders_above, is_below};
+use mhlint_source::{EntryKind, folders_above};
 
 /// Takes out the data roots in such folders; gives the files of each input that are left out.
 pub(super) fn set_aside(found: &mut [Found<'_>], outcome: &mut Outcome) -> Vec<BTreeSet<String>> {
@@ -56,7 +56,7 @@ pub(super) fn folders(input: &Input) -> BTreeMap<String, Aside> {
     let mut folders = aside(&listing(&input.tree));
     folders.retain(|folder, _| {
         let shown = input.tree.shown(folder);
-        !folder.is_empty() && !input.narrow.iter().any(|narrow| is_below(narrow, &shown))
+        !folder.is_empty() && !input.narrow.leads_into(&shown)
     });
     folders
 }

@@ -1,10 +1,12 @@
 //! A zip without the folders of a data root, for applications that import none.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::super::error::Error;
 use super::input::Input;
 use super::loose::{Given, Outside, Seen};
+use super::narrow::Narrow;
 use super::place::Place;
 use mhlint_diag::Application;
 use mhlint_discover::Layout;
@@ -16,7 +18,7 @@ pub(super) fn unpacked_singly<'t, 'a>(
     applications: impl Iterator<Item = &'a (Application, BTreeSet<String>)>,
     systems: &[Place<'_>],
     given: &Given<'_>,
-) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+) -> Result<Vec<(Place<'t>, Arc<Narrow>)>, Error> {
     let (roots, taken) = (BTreeMap::new(), BTreeSet::new());
     let mut places = Vec::new();
     for (application, bases) in applications.filter(|(one, _)| Layout::of(*one).unpacks_singly) {

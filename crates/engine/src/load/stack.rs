@@ -1,7 +1,7 @@
 //! Which data roots lie over which: system data below, user data on top, for each application on
 //! its own.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::data::{Data, Loaded};
 use super::place::Place;
@@ -13,12 +13,13 @@ use mhlint_repo::{Layer, Layers};
 pub(super) type Roles = Vec<(Application, Role)>;
 
 /// The roles of data roots that are checked together.
-pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Clone) -> Vec<Roles> {
-    let mut roles: Vec<Roles> = places.clone().map(|_| Roles::new()).collect();
+pub(super) fn roles(places: &[&Place<'_>]) -> Vec<Roles> {
+    let mut roles: Vec<Roles> = places.iter().map(|_| Roles::new()).collect();
     for application in Application::ALL {
         let layout = Layout::of(application);
         let numbered = places
-            .clone()
+            .iter()
+            .copied()
             .enumerate()
             .filter(|(_, place)| place.is_of(application));
         // What is in a zip is put into the user's folder.
@@ -32,15 +33,13 @@ pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Cl
         let mut own: Vec<(usize, Role)> = numbered.map(|(at, place)| (at, role(place))).collect();
         let is_system_of_two = |at: usize| {
             places
-                .clone()
-                .nth(at)
+                .get(at)
                 .is_some_and(|one| (layout.is_system_of_two)(&one.below))
         };
         choose_system(&mut own, is_system_of_two);
         demote(&mut own, |at| {
             places
-                .clone()
-                .nth(at)
+                .get(at)
                 .map(|place| Owners::of(place, application))
                 .unwrap_or_default()
         });
@@ -111,14 +110,12 @@ fn demote<'p>(roles: &mut [(usize, Role)], owners: impl Fn(usize) -> Owners<'p>)
         return;
     }
     let all: Vec<(usize, Owners<'p>)> = systems.into_iter().map(|at| (at, owners(at))).collect();
-    let leans = |(at, own): &(usize, Owners<'p>)| {
-        let added = own.adds_to.difference(&own.has);
-        let others = all.iter().filter(|(other, _)| other != at);
-        added
-            .into_iter()
-            .any(|base| others.clone().any(|(_, other)| other.has.contains(base)))
+    let held: BTreeSet<&str> = all.iter().flat_map(|(_, own)| &own.has).copied().collect();
+    let leans = |(_, own): &(usize, Owners<'p>)| {
+        let mut added = own.adds_to.difference(&own.has);
+        added.any(|base| held.contains(base))
     };
-    let users: Vec<usize> = all
+    let users: BTreeSet<usize> = all
         .iter()
         .filter(|one| leans(one))
         .map(|(at, _)| *at)
@@ -143,13 +140,12 @@ impl<'t> Data<'t> {
     /// the same files.
     pub(crate) fn groups(&self) -> Vec<Vec<(usize, Stack<'_, 't>)>> {
         let mut groups: Vec<Vec<(usize, Stack<'_, 't>)>> = Vec::new();
-        for (number, stack) in self.stacks_of(|_| true) {
-            let is_same = |group: &&mut Vec<(usize, Stack<'_, 't>)>| {
-                group
-                    .first()
-                    .is_some_and(|(_, first)| first.root.place.has_files_of(&stack.root.place))
-            };
-            match groups.iter_mut().find(is_same) {
+        let mut known = BTreeMap::new();
+        for (number, stack) in self.stacks_of(0..self.roots.len()) {
+            let of_files = stack.root.place.files_key();
+            let new = groups.len();
+            let group = of_files.map_or(new, |files| *known.entry(files).or_insert(new));
+            match groups.get_mut(group) {
                 Some(group) => group.push((number, stack)),
                 None => groups.push(vec![(number, stack)]),
             }
@@ -159,29 +155,24 @@ impl<'t> Data<'t> {
 
     /// The repositories to check, in order of the roots.
     pub(crate) fn stacks(&self) -> Vec<Stack<'_, 't>> {
-        self.stacks_of(|_| true)
+        self.stacks_of(0..self.roots.len())
             .into_iter()
             .map(|(_, stack)| stack)
             .collect()
     }
 
-    /// Those of the repositories whose numbers are asked for, with their numbers. A root lies over
-    /// that of the systems that has data of the same application.
+    /// The repositories with these numbers, with their numbers. A root lies over that of the systems
+    /// that has data of the same application.
     pub(crate) fn stacks_of<'a>(
         &'a self,
-        is_asked: impl Fn(usize) -> bool,
+        numbers: impl IntoIterator<Item = usize>,
     ) -> Vec<(usize, Stack<'a, 't>)> {
-        let found: Vec<&Loaded<'_>> = self
-            .roots
-            .iter()
-            .filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System))
-            .collect();
         let layers = |root: &'a Loaded<'t>, application, role| {
             let given = self
                 .given(application)
                 .filter(|_| !root.alone.contains(&application));
             let given = given.map(|given| &given.layer);
-            let below = || nearest_system(&found, root, application);
+            let below = || self.nearest_system(root, application);
             let (system, user) = match (given, role) {
                 (Some(given), _) => (Some(given), Some(&root.layer)),
                 (None, Role::System) => (Some(&root.layer), None),
@@ -214,12 +205,10 @@ impl<'t> Data<'t> {
                 seen: seen.collect(),
             }
         };
-        let asked = self
-            .roots
-            .iter()
-            .enumerate()
-            .filter(|(number, _)| is_asked(*number));
-        asked.map(|(number, root)| (number, stack(root))).collect()
+        let numbers = numbers.into_iter();
+        numbers
+            .filter_map(|number| Some((number, stack(self.roots.get(number)?))))
+            .collect()
     }
 }
 
@@ -242,30 +231,56 @@ impl Data<'_> {
 
     /// The first of the other roots that are users'.
     fn user_beside(&self, application: Application, own: &Loaded<'_>) -> Option<&Layer> {
-        let plays =
-            |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
-        let others = self
-            .roots
-            .iter()
-            .filter(|root| !root.place.is_loose && !std::ptr::eq(*root, own));
-        others.into_iter().find(plays).map(|root| &root.layer)
+        let users = self.around.users.get(&application).into_iter().flatten();
+        let mut others = users.filter_map(|number| self.roots.get(*number));
+        let other = others.find(|root| !std::ptr::eq(*root, own))?;
+        Some(&other.layer)
+    }
+
+    /// Of several system roots of an application the one that shares most of the path.
+    fn nearest_system(&self, root: &Loaded<'_>, application: Application) -> Option<&Layer> {
+        let of = |begins| {
+            let key = (application, begins);
+            self.around.systems.get(&key)
+        };
+        let number = beginnings(&root.layer.path).find_map(|begins| of(begins.map(str::to_owned)));
+        Some(&self.roots.get(*number?)?.layer)
     }
 }
 
-/// Of several system roots of an application the one that shares most of the path.
-fn nearest_system<'a>(
-    found: &[&'a Loaded<'_>],
-    root: &Loaded<'_>,
-    application: Application,
-) -> Option<&'a Layer> {
-    let shared = |other: &Loaded<'_>| {
-        let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
-        pairs.take_while(|(a, b)| a == b).count()
-    };
-    let systems = found
-        .iter()
-        .filter(|other| other.role_in(application) == Some(Role::System));
-    systems
-        .max_by_key(|other| shared(other))
-        .map(|other| &other.layer)
+/// Which of the roots lie below or beside others.
+#[derive(Default)]
+pub(super) struct Around {
+    /// For each application the last of the systems whose path begins with these folders.
+    systems: BTreeMap<(Application, Option<String>), usize>,
+    /// For each application the first two of the users' roots: one of them is another one.
+    users: BTreeMap<Application, Vec<usize>>,
+}
+
+impl Around {
+    pub(super) fn of(roots: &[Loaded<'_>]) -> Self {
+        let mut around = Self::default();
+        for (number, root) in roots.iter().enumerate() {
+            for (application, role) in &root.roles {
+                if *role == Role::System {
+                    let begins = beginnings(&root.layer.path);
+                    let keys = begins.map(|begins| (*application, begins.map(str::to_owned)));
+                    around.systems.extend(keys.map(|key| (key, number)));
+                } else if !root.place.is_loose {
+                    let users = around.users.entry(*application).or_default();
+                    if users.len() < 2 {
+                        users.push(number);
+                    }
+                }
+            }
+        }
+        around
+    }
+}
+
+/// The path, those of the folders above it, the nearest first, and at last what every path begins
+/// with.
+fn beginnings(path: &str) -> impl Iterator<Item = Option<&str>> {
+    let above = path.rmatch_indices('/').map(|(at, _)| path.get(..at));
+    std::iter::once(Some(path)).chain(above).chain([None])
 }

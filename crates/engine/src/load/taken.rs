@@ -38,7 +38,7 @@ impl Taken<'_, '_> {
         let each = found.into_iter().map(|(input, roots)| {
             let peek = |path: &str| look_into(&input.tree, path);
             let listing = listing(&input.tree).with_contents(&peek);
-            let is_named = |path: &str| path.is_empty() && input.narrow.is_empty();
+            let is_named = |path: &str| path.is_empty() && input.narrow.is_whole();
             let taken = |(path, layouts): (String, Vec<&'static Layout>)| {
                 let layouts = if self.options.applications.is_empty() {
                     self.by_system(&listing, &path, layouts, &known)

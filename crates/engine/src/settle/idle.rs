@@ -107,11 +107,8 @@ fn elsewhere<'g, 't>(
 
 /// Whether everything that a glob could match was listed, so that a glob which matches nothing now
 /// cannot match in any other run.
-pub(super) fn is_for_listed(file: &ConfigFile, glob: &PathGlob, trees: &[Outer]) -> bool {
-    !is_hidden(&glob.text)
-        && trees
-            .iter()
-            .any(|tree| file.folder.lies_in(glob.folder(), tree))
+pub(super) fn is_for_listed(file: &ConfigFile, glob: &PathGlob, trees: &Outer) -> bool {
+    !is_hidden(&glob.text) && file.folder.lies_in(glob.folder(), trees)
 }
 
 /// The printed paths of everything in a tree.

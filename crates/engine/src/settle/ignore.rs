@@ -127,7 +127,7 @@ impl<'c> Ignores<'c> {
         trees: impl Iterator<Item = &'t Tree> + Clone,
     ) -> Vec<IgnoreUse> {
         let file = self.config.file.iter();
-        let listed: Vec<Outer> = trees.clone().map(|tree| Outer::of(tree.label())).collect();
+        let listed = Outer::of(trees.clone().map(Tree::label));
         let reached = self
             .config
             .file

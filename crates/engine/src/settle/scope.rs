@@ -1,17 +1,19 @@
 //! What a run reports on: the PATHs, without what the configuration excludes.
 
+use std::collections::BTreeSet;
+
 use super::answered::Answered;
 use mhlint_config::Config;
-use mhlint_source::{Folder, Outer, is_below};
+use mhlint_source::{Folder, Outer, is_below_any, without_slashes};
 
 /// The paths that a run reports on.
 pub(crate) struct Scope<'c> {
     config: &'c Config,
     /// The PATHs, as printed.
-    paths: Vec<Outer>,
+    paths: Outer,
     /// The PATHs that the configuration excludes. They are reported on nevertheless, since the user
     /// named them.
-    named: Vec<String>,
+    named: BTreeSet<String>,
     /// Remembers whether a path is excluded.
     excluded: Answered<bool>,
 }
@@ -19,29 +21,24 @@ pub(crate) struct Scope<'c> {
 impl<'c> Scope<'c> {
     /// The scope of a run on `paths`, as printed.
     pub(crate) fn new(paths: Vec<String>, config: &'c Config) -> Self {
-        let named = paths
-            .iter()
-            .filter(|path| config.excludes(path))
-            .cloned()
-            .collect();
+        let named = paths.iter().filter(|path| config.excludes(path));
         Self {
             config,
-            paths: paths.iter().map(|path| Outer::of(path)).collect(),
-            named,
+            paths: Outer::of(paths.iter().map(String::as_str)),
+            named: without_slashes(named.cloned()),
             excluded: Answered::default(),
         }
     }
 
     /// Whether nothing is to be reported for a printed path.
     pub(crate) fn excludes(&self, path: &str) -> bool {
-        let is_excluded =
-            || self.config.excludes(path) && !self.named.iter().any(|named| is_below(path, named));
+        let is_excluded = || self.config.excludes(path) && !is_below_any(path, &self.named);
         self.config.has_exclude() && self.excluded.of(path, "", is_excluded)
     }
 
     /// Whether the run looks at everything at or below `rel`, a path relative to `folder`.
     pub(crate) fn covers(&self, folder: &Folder, rel: &str) -> bool {
-        self.is_whole() && self.paths.iter().any(|path| folder.lies_in(rel, path))
+        self.is_whole() && folder.lies_in(rel, &self.paths)
     }
 
     /// Whether only the PATHs narrow what is reported. Base meshes and applications that the

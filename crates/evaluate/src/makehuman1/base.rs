@@ -49,8 +49,7 @@ pub(crate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Eva
             format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text),
         ));
     }
-    let composed =
-        compose(&view, &mut Rows::new()).ok_or_else(|| Error::file(&file.path, NO_MESH))?;
+    let composed = compose(&view, &Rows::new()).ok_or_else(|| Error::file(&file.path, NO_MESH))?;
     let rig = view
         .base_rig()
         .and_then(|rig| Some((rig.file, rig.skeleton()?)));
@@ -97,8 +96,8 @@ fn archive(view: &View<'_>) -> Option<(String, BTreeMap<String, String>)> {
 
 const NO_MODIFIERS: &str = "`modifiers/` is missing or cannot be used";
 
-/// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
-pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
+/// The scene, with the rows of its targets. `None` without a mesh.
+pub(super) fn compose(view: &View<'_>, rows: &Rows) -> Option<Composed> {
     let (_, mesh) = view
         .mesh
         .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
@@ -312,12 +311,13 @@ impl<'a> Composer<'a> {
         })
     }
 
-    fn take_rows(&mut self, mesh: &Mesh, rows: &mut Rows) {
+    fn take_rows(&mut self, mesh: &Mesh, rows: &Rows) {
         let (vertices, suspects) = (mesh.positions.len(), Suspects::new(mesh));
         for (target, file) in self.scene.targets.iter_mut().zip(&self.files) {
             let is_whole = file.target().is_some_and(is_usable);
             let own = rows
-                .remove(&target.path)
+                .get(&target.path)
+                .cloned()
                 .filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
             target.rows = own.filter(|_| is_whole);
             target.suspect = suspects.has(file);

@@ -25,8 +25,8 @@ use mhlint_repo::makehuman1::View;
 /// Whose files these are.
 const OWN: Application = Application::Makehuman1;
 
-/// Measures the body with what it wears, taking the rows of its targets out of `rows`.
-pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> Measures {
+/// Measures the body with what it wears; `rows` are those of its targets.
+pub(super) fn measure(layers: Layers<'_>, rows: &Rows, options: &Config) -> Measures {
     let view = View::connect(layers);
     if view.foreign_mesh.is_some() {
         return Measures::default();

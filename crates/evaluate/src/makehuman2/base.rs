@@ -48,7 +48,7 @@ pub(crate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evaluation, Error>
             format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text),
         ));
     }
-    let scene = compose(base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
+    let scene = compose(base, &Rows::new()).ok_or_else(no_mesh)?.scene;
     Ok(Evaluation {
         application: Application::Makehuman2,
         trees: Vec::new(),

@@ -32,8 +32,8 @@ use mhlint_repo::shortened;
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
 
-/// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
-pub(crate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
+/// The scene of a base, with those of the `rows` that its targets have. `None` without a mesh.
+pub(crate) fn compose(base: &Base<'_>, rows: &Rows) -> Option<Composed> {
     // With lines that could not be read, vertices have other numbers than their author meant.
     let (_, mesh) = base
         .mesh
@@ -84,7 +84,7 @@ pub(crate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
 }
 
 struct Composer<'r, 'm> {
-    rows: &'r mut Rows,
+    rows: &'r Rows,
     mesh: &'m Mesh,
     suspects: Suspects<'m>,
     by_path: BTreeMap<String, usize>,
@@ -164,7 +164,7 @@ impl Composer<'_, '_> {
         }
         let rows = file
             .filter(|file| file.target().is_some_and(is_usable))
-            .and_then(|file| self.rows.remove(&file.path));
+            .and_then(|file| self.rows.get(&file.path).cloned());
         let vertices = self.mesh.positions.len();
         // Rows for seam duplicates are accepted and overwritten by the application.
         let in_mesh = |row: &Row| (row.0 as usize) < vertices;

@@ -80,8 +80,8 @@ fn groups(view: &View<'_>) -> Vec<(String, Vec<(i64, i64)>)> {
         .collect()
 }
 
-/// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
-pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
+/// The scene, with the rows of its targets. `None` without a mesh.
+pub(super) fn compose(view: &View<'_>, rows: &Rows) -> Option<Composed> {
     let (_, mesh) = view
         .mesh
         .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
@@ -105,7 +105,8 @@ pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
         };
         let is_whole = file.target().is_some_and(is_usable);
         let own = rows
-            .remove(&target.path)
+            .get(&target.path)
+            .cloned()
             .filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
         target.rows = own.filter(|_| is_whole);
         target.suspect = suspects.has(file);

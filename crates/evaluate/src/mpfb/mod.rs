@@ -26,8 +26,8 @@ use mhlint_eval::measures::Measures;
 use mhlint_repo::Layers;
 use mhlint_repo::mpfb::View;
 
-/// Measures the body with what it wears, taking the rows of its targets out of `rows`.
-pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> Option<Measures> {
+/// Measures the body with what it wears; `rows` are those of its targets.
+pub(super) fn measure(layers: Layers<'_>, rows: &Rows, options: &Config) -> Option<Measures> {
     let view = View::connect(layers);
     let composed = base::compose(&view, rows)?;
     let mesh = worn::mesh(&view);

@@ -79,18 +79,22 @@ impl<'a> View<'a> {
     /// looked for.
     pub fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
         let layout = Layout::of(OWN);
-        let bases = self.bases.iter().map(|base| base.name);
-        let bases = grouped(
-            bases
-                .filter(|name| has_base(self.layers, name))
-                .map(|name| (name.to_ascii_lowercase(), name)),
-        );
+        let known = self
+            .bases
+            .iter()
+            .map(|base| base.name)
+            .filter(|name| has_base(self.layers, name));
+        let known = grouped(known.map(|name| (name.to_ascii_lowercase(), name)));
+        // The base mesh that a name means but for its capitals.
+        let in_other_case = |name: &str| {
+            let alike = known.get(name.to_ascii_lowercase().as_str())?;
+            alike.iter().find(|base| **base != name)
+        };
         misnamed_folders(self.layers.checked, layout, |rel| {
             let of_base = || {
                 let (top, rest) = rel.split_once('/')?;
                 let (name, rest) = rest.split_once('/')?;
-                let mut alike = bases.get(&name.to_ascii_lowercase())?.iter();
-                let base = alike.find(|base| **base != name)?;
+                let base = in_other_case(name)?;
                 Some((format!("{top}/{name}"), format!("{top}/{base}"), rest))
             };
             top_in_other_case(layout, rel).or_else(of_base)

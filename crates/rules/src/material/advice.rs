@@ -81,10 +81,7 @@ impl<'v, 'a> Advice<'v, 'a> {
             .suggestions
             .looked_through(self.free_below(around(&folders)))
             .filter_map(|file| near(file, &folders).filter(|name| is_name(name)));
-        did_you_mean(
-            self.suggestions.nearest(reference.text, names),
-            otherwise,
-        )
+        did_you_mean(self.suggestions.nearest(reference.text, names), otherwise)
     }
 
     /// The pictures below a folder that nobody names.
