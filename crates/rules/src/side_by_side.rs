@@ -34,6 +34,14 @@ impl Alike {
         }
         self.all.push(one);
     }
+
+    fn earlier(&self, path: &str) -> Option<&Listed> {
+        let own = self.all.get(*self.by_path.get(path)?)?;
+        let earlier = self.all.get(..*self.packs.get(&own.pack)?)?;
+        // Where the first lies at the same place, the first elsewhere does not.
+        let first = earlier.first().filter(|one| one.rel != own.rel);
+        first.or_else(|| earlier.get(self.elsewhere?))
+    }
 }
 
 /// An asset of a pack.
@@ -70,10 +78,30 @@ impl SideBySide {
         file: &FileFacts,
     ) -> Option<&Listed> {
         let alike = self.0.get(&(application, key.to_owned()))?;
-        let own = alike.all.get(*alike.by_path.get(&file.path)?)?;
-        let earlier = alike.all.get(..*alike.packs.get(&own.pack)?)?;
-        // Where the first lies at the same place, the first elsewhere does not.
-        let first = earlier.first().filter(|one| one.rel != own.rel);
-        first.or_else(|| earlier.get(alike.elsewhere?))
+        alike.earlier(&file.path)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_that_lies_elsewhere_in_an_earlier_pack_is_the_earlier_one() {
+        let mut alike = Alike::default();
+        for (pack, rel) in [("a", "x"), ("a", "y"), ("b", "x"), ("c", "y"), ("c", "z")] {
+            alike.add(Listed {
+                pack: pack.to_owned(),
+                path: format!("{pack}/{rel}"),
+                rel: rel.to_owned(),
+                content: None,
+            });
+        }
+        let earlier = |path: &str| alike.earlier(path).map(|one| one.path.as_str());
+        let found = ["a/x", "a/y", "b/x", "c/y", "c/z", "d/x"].map(earlier);
+        assert_eq!(
+            found,
+            [None, None, Some("a/y"), Some("a/x"), Some("a/x"), None]
+        );
     }
 }

@@ -131,10 +131,7 @@ impl<'a> Parts<'a> {
 
     /// Whether some part of a setting has a value; `None` where not all of them could be read.
     pub(super) fn cover(&self, place: usize, value: f64) -> Option<bool> {
-        let reach = self.reach.get(&place)?;
-        let count = reach.partition_point(|(lowest, _)| *lowest < value);
-        let last = count.checked_sub(1).and_then(|last| reach.get(last));
-        Some(last.is_some_and(|(_, farthest)| value < *farthest))
+        self.reach.get(&place).map(|reach| holds(reach, value))
     }
 
     /// Whether a loop misses a target in the folder of this one, which may be the one that it is
@@ -205,6 +202,12 @@ fn reach(setting: &Setting) -> Vec<(f64, f64)> {
     ranges
 }
 
+fn holds(reach: &[(f64, f64)], value: f64) -> bool {
+    let count = reach.partition_point(|(lowest, _)| *lowest < value);
+    let last = count.checked_sub(1).and_then(|last| reach.get(last));
+    last.is_some_and(|(_, farthest)| value < *farthest)
+}
+
 /// Every choice of one name from each list, the last list running fastest.
 fn combinations<'n, 'p>(
     lists: &'n [Vec<Name<'p>>],
@@ -221,4 +224,52 @@ fn combinations<'n, 'p>(
         chosen.reverse();
         chosen
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mhlint_formats::macro_parts::Part;
+
+    #[test]
+    fn a_value_is_covered_by_any_part_that_holds_it() {
+        let ranges = [
+            (0.5, 0.6),
+            (-0.01, 0.4),
+            (0.1, 0.2),
+            (0.9, 0.8),
+            (f64::NAN, 1.0),
+        ];
+        let parts = ranges.map(|(lowest, highest)| Part {
+            lowest,
+            highest,
+            ..Part::default()
+        });
+        let setting = Setting {
+            parts: parts.to_vec(),
+            is_whole: true,
+            ..Setting::default()
+        };
+        let reach = reach(&setting);
+        let covered = |value: f64| {
+            let held = |(lowest, highest): &(f64, f64)| *lowest < value && value < *highest;
+            (holds(&reach, value), ranges.iter().any(held))
+        };
+        for value in [
+            -1.0,
+            0.0,
+            0.15,
+            0.3,
+            0.4,
+            0.45,
+            0.5,
+            0.55,
+            0.85,
+            1.0,
+            f64::NAN,
+        ] {
+            let (found, expected) = covered(value);
+            assert_eq!(found, expected, "{value}");
+        }
+    }
 }

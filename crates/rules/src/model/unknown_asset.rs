@@ -86,13 +86,13 @@ impl<'v> Known<'v> {
             |file: &'v FileFacts| [file.stem(), file.rel.rsplit('/').nth(1).unwrap_or_default()];
         let by_uuid: BTreeMap<&str, &Asset<'_>> =
             worn().map(|asset| (asset.uuid.as_str(), asset)).collect();
-        let named = by_uuid.values().map(|one| (one.category, &*one.name));
+        let by_category = by_uuid.values().map(|one| (one.category, &*one.name));
         let materials = own(view, base).flat_map(|saved| {
             let lines = saved.model.materials.iter();
             lines.map(|line| (&*saved.file.path, &*line.name.text))
         });
         Self {
-            names: grouped(named),
+            names: grouped(by_category),
             with_material: materials.collect(),
             by_uuid,
             unread: view

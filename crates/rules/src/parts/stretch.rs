@@ -135,3 +135,46 @@ pub(super) fn effect(setting: &Setting, level: Level, values: &str) -> String {
         (_, false) => format!("drops the {} targets at {values}", enumerated(&lost)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    proptest::proptest! {
+        #[test]
+        fn holes_are_free_where_no_dead_part_touches_them(
+            bounds in proptest::collection::vec((0_u8..12, 0_u8..12), 0..8),
+            at in 0_usize..8,
+        ) {
+            let number = |eighth: u8| match eighth {
+                11 => f64::NAN,
+                eighth => f64::from(eighth) / 8.0 - 0.1,
+            };
+            let part = |(index, (lowest, highest)): (usize, &(u8, u8))| Part {
+                index,
+                lowest: number(*lowest),
+                highest: number(*highest),
+                low: Some("low".to_owned()),
+                high: Some("high".to_owned()),
+            };
+            let setting = Setting {
+                place: GENDER,
+                parts: bounds.iter().enumerate().map(part).collect(),
+                is_whole: true,
+            };
+            let holes = harmful(&setting);
+            let touches = |part: &Part, hole: &Hole| {
+                let (from, to) = (part.lowest.min(part.highest), part.lowest.max(part.highest));
+                !(from > hole.to || to < hole.from)
+            };
+            let mut free = holes.clone();
+            free.retain(|hole| !dead(&setting).any(|part| touches(part, hole)));
+            proptest::prop_assert_eq!(without_dead(&setting), free);
+            if let Some(part) = setting.parts.get(at) {
+                let mut own = holes.clone();
+                own.retain(|hole| touches(part, hole));
+                proptest::prop_assert_eq!(holes.get(touched(part, &holes)), Some(&*own));
+            }
+        }
+    }
+}

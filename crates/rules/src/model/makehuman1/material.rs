@@ -41,10 +41,10 @@ pub(in super::super) fn faults(
         });
         for one in missing {
             let folder = parent(&one.rel);
-            let names = offered
+            let below = offered
                 .entry(folder)
                 .or_insert_with(|| materials_below(view, folder));
-            out.push(unfound(rule, one, names, cx));
+            out.push(unfound(rule, one, below, cx));
         }
     }
 }
