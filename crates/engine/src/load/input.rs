@@ -140,12 +140,11 @@ pub(crate) fn open(
             None => open_whole(path, place, applications, limits, &known)?,
         };
         input.tests = tests_of(path);
-        match places.get(&root).and_then(|at| inputs.get_mut(*at)) {
-            Some((_, known)) => known.join(input),
-            None => {
-                places.insert(root.clone(), inputs.len());
-                inputs.push((root, input));
-            }
+        if let Some((_, known)) = places.get(&root).and_then(|at| inputs.get_mut(*at)) {
+            known.join(input);
+        } else {
+            places.insert(root.clone(), inputs.len());
+            inputs.push((root, input));
         }
     }
     let mut inputs: Vec<_> = inputs
