@@ -16,7 +16,7 @@ use mhlint_diag::Outcome;
 use mhlint_engine::{self as engine, Fixed, fixable};
 use mhlint_fix::{FileChange, Left, Pending, unified, unpack, write_all};
 use mhlint_report::{Paint, count, printable};
-use mhlint_source::Limits;
+use mhlint_source::{Limits, depth};
 
 /// Options of `check` that fix.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
@@ -147,7 +147,7 @@ pub(super) fn show(
 
 /// A name in a patch to the byte: those of reports are Unicode, those of files need not be.
 fn exact(name: &str, file: &Path) -> Vec<u8> {
-    let parts: Vec<&OsStr> = file.iter().rev().take(name.split('/').count()).collect();
+    let parts: Vec<&OsStr> = file.iter().rev().take(depth(name)).collect();
     let path: PathBuf = parts.into_iter().rev().collect();
     if path.to_string_lossy() == name {
         path.into_os_string().into_encoded_bytes()

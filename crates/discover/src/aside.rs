@@ -3,10 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::kind::extension;
 use super::listing::{Listing, at};
 use mhlint_diag::Application;
-use mhlint_source::folder_and_name;
+use mhlint_source::{extension, folder_and_name};
 
 /// Why files that look like assets are not checked as assets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

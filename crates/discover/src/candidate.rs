@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use super::{Kind, Layout, Role};
 use mhlint_diag::Application;
-use mhlint_source::{Entry, EntryKind, Tree, inside, is_below};
+use mhlint_source::{Entry, EntryKind, Tree, folder_and_name, inside, is_below};
 
 /// What one application uses a file for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -131,7 +131,7 @@ fn add_around<'t>(found: &mut Vec<Candidate<'t>>, all: Vec<Candidate<'t>>, layou
 /// The files beside a data root that belong to it, most of them in folders. Files that the
 /// application has no use for belong to somebody else and are left out.
 fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>> {
-    let (above, name) = root.rsplit_once('/').unwrap_or(("", root));
+    let (above, name) = folder_and_name(root);
     let folders = layout.beside.iter().filter(|_| name == "data");
     let of_folder = |folder: &&str| {
         let path = if above.is_empty() {

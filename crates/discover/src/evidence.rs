@@ -3,11 +3,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::kind::extension;
 use super::layout::{LIBRARIES, WORN};
 use super::listing::{Listing, at};
 use mhlint_diag::Application;
-use mhlint_source::folder_and_name;
+use mhlint_source::{extension, folder_and_name};
 
 /// Evidence that a data root belongs to an application.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -1,5 +1,7 @@
 //! What a file is: its format, and what an application uses it for.
 
+use mhlint_source::extension;
+
 /// Kinds of files. A kind that says more about a file stands before one that says less. What
 /// follows from a kind is in the table of formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -263,12 +265,6 @@ pub fn meant_extension(rel: &str) -> &str {
         .into_iter()
         .find(|known| known.eq_ignore_ascii_case(written))
         .unwrap_or(written)
-}
-
-/// The part of a name behind its last point, as written.
-pub fn extension(rel: &str) -> &str {
-    let name = rel.rsplit('/').next().unwrap_or(rel);
-    name.rsplit_once('.').map_or("", |(_, extension)| extension)
 }
 
 #[cfg(test)]

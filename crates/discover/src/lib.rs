@@ -24,7 +24,7 @@ mod roots;
 pub use aside::{Aside, TEST_DATA, aside, is_fitting_table};
 pub use candidate::{Candidate, Use, candidates, is_of_macos, kind_in, owner_of, uses_of};
 pub use evidence::{Evidence, evidence, lacks};
-pub use kind::{Kind, SHADER_FILES, extension, is_asset_anywhere, meant_extension};
+pub use kind::{Kind, SHADER_FILES, is_asset_anywhere, meant_extension};
 pub use layout::makehuman1::{
     TARGETS_NPZ, archive_library_of, libraries, library_extension, library_of,
 };
@@ -37,5 +37,6 @@ pub use layout::mpfb::{SAVED_CHARACTER, SKIN_MAPS, STORED_POSE};
 pub use layout::{Layout, Role, Single, is_read_though_hidden};
 pub use listing::Listing;
 pub use loose::{Binding, Known, UNKNOWN_BASE, loose};
+pub use mhlint_source::extension;
 pub use paths::Paths;
 pub use roots::{Meant, find_roots};

@@ -7,7 +7,7 @@ use super::evidence::evidence;
 use super::layout::Sign;
 use super::{Layout, Listing, contest};
 use mhlint_diag::Application;
-use mhlint_source::{folders_above, is_below};
+use mhlint_source::{depth, folder_and_name, folders_above, is_below};
 
 /// A folder that looks like the data folder of an application.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -493,7 +493,7 @@ fn is_data(path: &str) -> bool {
 fn beside_of(file: &str, application: Application) -> Option<DataRoot> {
     let layout = Layout::of(application);
     let (folder, name) = file.rsplit_once('/')?;
-    let (above, folder) = folder.rsplit_once('/').unwrap_or(("", folder));
+    let (above, folder) = folder_and_name(folder);
     let is_telling = layout.beside.contains(&folder)
         && (layout.is_telling)(layout.use_of(&format!("{folder}/{name}")).kind);
     is_telling.then(|| data_in(above, application))
@@ -515,7 +515,7 @@ fn is_beside_own(root: &DataRoot, outer: &DataRoot, strong: &Strong) -> bool {
     let depth = if outer.path.is_empty() {
         0
     } else {
-        outer.path.split('/').count()
+        depth(&outer.path)
     };
     let end = root.path.match_indices('/').map(|(at, _)| at);
     let end = end.chain([root.path.len()]).nth(depth);

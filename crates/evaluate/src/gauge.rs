@@ -23,6 +23,7 @@ use mhlint_eval::symmetry::{MirrorComparison, MirrorMap};
 use mhlint_eval::target_measure::{Parts, TargetMeasure, cubes_of, side_of};
 use mhlint_eval::vector::Point;
 use mhlint_eval::walk::{Stop, in_order};
+use mhlint_source::folder_and_name;
 
 /// How far from its exact mirror image a vertex may be, mesh units: meshes are written with four
 /// decimals.
@@ -423,7 +424,7 @@ fn pair_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<PairMe
 
 /// Path of the target for the other side, if the file name says left.
 fn right_of(path: &str) -> Option<String> {
-    let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+    let (folder, file) = folder_and_name(path);
     let (stem, suffix) = file.split_once('.').unwrap_or((file, ""));
     let (_, right) = side::of_target(stem).filter(|(own, _)| *own == Side::Left)?;
     let file = format!("{right}.{suffix}");

@@ -13,6 +13,7 @@ use mhlint_eval::scene::Setting;
 use mhlint_eval::settings::SliderSetting;
 use mhlint_formats::python_float;
 use mhlint_json::Node;
+use mhlint_source::file_name;
 
 impl Evaluation {
     /// The setting that `values` make on top of the defaults, in order: of several for one slider
@@ -114,7 +115,7 @@ fn same_in_short<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
 
 /// The last part of a name without what says a direction, in small letters.
 fn short(name: &str) -> String {
-    let last = name.rsplit('/').next().unwrap_or(name);
+    let last = file_name(name);
     let stem = match last.rsplit_once('-') {
         Some((stem, end)) if end.contains('|') || end == "incr" || end == "decr" => stem,
         _ => last,

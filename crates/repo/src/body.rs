@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
 
 use super::landmarks::{Landmarks, Region, Unreached};
-use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
+use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn};
 use mhlint_diag::Application;
 use mhlint_formats::asset_mesh::AssetMesh;
 use mhlint_formats::bvh::Motion;
@@ -18,6 +18,7 @@ use mhlint_formats::npz::{Archive, Member};
 use mhlint_formats::obj::Mesh;
 use mhlint_formats::pose_units::PoseUnits;
 use mhlint_formats::unfit::NamedAt;
+use mhlint_source::parent;
 
 /// Why not everything can be told by a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -51,7 +51,7 @@ use mhlint_formats::uv_layer::UvLayer;
 use mhlint_formats::uv_map::UvMap;
 use mhlint_formats::{Content, Format, Needs};
 use mhlint_json::SchemaFaults;
-use mhlint_source::{Encoding, GzipFault, ReadFault};
+use mhlint_source::{Encoding, GzipFault, ReadFault, file_name, parent, without_extension};
 
 /// Facts of one file.
 #[derive(Debug, Clone)]
@@ -128,18 +128,18 @@ impl FileFacts {
 
     /// Path of the folder as reports print it.
     pub fn folder(&self) -> &str {
-        super::parent(&self.path)
+        parent(&self.path)
     }
 
     /// File name without folders.
     pub fn file_name(&self) -> &str {
-        self.rel.rsplit('/').next().unwrap_or(&self.rel)
+        file_name(&self.rel)
     }
 
     /// File name without folders and extension.
     pub fn stem(&self) -> &str {
         let name = self.file_name();
-        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+        without_extension(name)
     }
 
     /// Whether the top level of a JSON is of a wrong type, or lacks a section without which nothing

@@ -6,11 +6,11 @@ use std::sync::OnceLock;
 
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
-use super::{FileFacts, Pack, parent};
+use super::{FileFacts, Pack};
 use mhlint_diag::{Application, Identity};
 use mhlint_discover::{Kind, Layout, kind_in, uses_of};
 use mhlint_formats::Format;
-use mhlint_source::{WalkFault, folders_above, has_hidden_part, inside, is_below};
+use mhlint_source::{WalkFault, folders_above, has_hidden_part, inside, is_below, parent};
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
 pub fn fold(path: &str) -> String {

@@ -48,8 +48,3 @@ pub use references::References;
 pub use surface::{Picture, Shader, Surface, Wearer};
 pub use view::View;
 pub use worn::Worn;
-
-/// The folder of a path, empty at the top.
-pub fn parent(path: &str) -> &str {
-    path.rsplit_once('/').map_or("", |(folder, _)| folder)
-}

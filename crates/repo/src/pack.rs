@@ -4,9 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::{FileFacts, parent};
+use super::FileFacts;
 use mhlint_discover::Refusal;
-use mhlint_source::{PackFacts, normalized};
+use mhlint_source::{PackFacts, normalized, parent};
 
 /// A zip that a layer was made of.
 #[derive(Debug, Clone, Default)]

@@ -1,6 +1,7 @@
 //! The file that is meant by a name that leads to nothing: it lies there under another name.
 
-use mhlint_repo::{Layer, parent};
+use mhlint_repo::Layer;
+use mhlint_source::{file_name, parent};
 
 /// Suffixes that come to stand behind the own one of a file, mostly because Windows hides them.
 const HIDDEN: [&str; 3] = ["txt", "text", "html"];
@@ -8,7 +9,7 @@ const HIDDEN: [&str; 3] = ["txt", "text", "html"];
 /// What to do where the file at `rel` has another suffix behind its own, or a space in its name, at
 /// which a name in a text ends: `whole` is all that stands there.
 pub(super) fn meant_beside(layer: &Layer, rel: &str, whole: Option<&str>) -> Option<String> {
-    let name = |rel: &str| rel.rsplit('/').next().unwrap_or_default().to_owned();
+    let name = |rel: &str| file_name(rel).to_owned();
     let hidden = HIDDEN
         .iter()
         .map(|suffix| format!("{rel}.{suffix}"))

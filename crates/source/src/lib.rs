@@ -34,8 +34,8 @@ pub use lines::PASSED;
 pub use lines::{Lines, first_line, lines};
 pub use pack::{MemberFault, PackFacts, PackFault};
 pub use path::{
-    depth, extension, file_name, folder_and_name, folders_above, has_hidden_part, inside, is_below,
-    is_below_any, normalized, parent, top_folder, without_extension, without_slashes,
+    depth, extension, file_name, first_name, folder_and_name, folders_above, has_hidden_part,
+    inside, is_below, is_below_any, normalized, parent, without_extension, without_slashes,
 };
 pub use place::{canonical, folder_name, folder_of, link_targets, own_place, resolved, slashed};
 pub use read::read_file;

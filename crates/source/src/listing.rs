@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 use super::walk;
+use crate::path::first_name;
 
 /// Enters the folders on the way to a path.
 pub(super) fn add_folders(entries: &mut BTreeMap<String, Entry>, path: &str) {
@@ -41,7 +42,7 @@ impl Room {
     ) -> Result<(), WalkFault> {
         let letters = path.len() + new_folders(entries, path).map(str::len).sum::<usize>();
         self.0 = self.0.checked_sub(letters).ok_or_else(|| {
-            let top = path.split('/').next().unwrap_or(path).to_owned();
+            let top = first_name(path).to_owned();
             WalkFault {
                 path: top,
                 kind: WalkFaultKind::Unreadable {

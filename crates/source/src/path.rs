@@ -40,7 +40,7 @@ pub fn file_name(path: &str) -> &str {
 }
 
 /// The first name of a path.
-pub fn top_folder(path: &str) -> &str {
+pub fn first_name(path: &str) -> &str {
     path.split_once('/').map_or(path, |(top, _)| top)
 }
 
@@ -114,7 +114,7 @@ mod tests {
     fn a_path_has_a_folder_a_name_and_an_extension() {
         assert_eq!(folder_and_name("a/b/c.d.obj"), ("a/b", "c.d.obj"));
         assert_eq!((parent("c.obj"), file_name("c.obj")), ("", "c.obj"));
-        assert_eq!((top_folder("a/b/c"), top_folder("c")), ("a", "c"));
+        assert_eq!((first_name("a/b/c"), first_name("c")), ("a", "c"));
         assert_eq!((depth("a/b/c"), depth("c")), (3, 1));
         assert_eq!((extension("a.b/c.d.obj"), extension("a.b/c")), ("obj", ""));
         assert_eq!(without_extension("a/c.d.obj"), "a/c.d");

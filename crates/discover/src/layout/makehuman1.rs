@@ -3,7 +3,7 @@
 
 mod version;
 
-use super::super::kind::{SHADER_FILES, extension};
+use super::super::kind::SHADER_FILES;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
 use super::{
@@ -11,6 +11,7 @@ use super::{
     worn_shelf,
 };
 use mhlint_diag::Application;
+use mhlint_source::{extension, folder_and_name};
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Makehuman1,
@@ -276,7 +277,7 @@ fn is_dangerous(path: &str) -> bool {
 /// wherever they lie; a target and weights as their author would put them. What is wrong with the
 /// archive of all targets shows only beside these.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
-    let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+    let (folder, name) = folder_and_name(path);
     let above: Vec<&str> = folder.rsplit('/').collect();
     let near = near(folder);
     match extension(name).to_ascii_lowercase().as_str() {

@@ -7,11 +7,11 @@ mod version;
 
 use std::collections::BTreeSet;
 
-use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
 use super::{HiddenPath, Holds, Layout, Role, Says, Sign, WORN, first_of, near, worn_shelf};
 use mhlint_diag::Application;
+use mhlint_source::{extension, first_name, folder_and_name};
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Makehuman2,
@@ -113,7 +113,7 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
         .unwrap_or_default()
         .trim_start_matches('/');
     let (folder, rest) = rel.split_once('/')?;
-    let name = rest.split('/').next().unwrap_or_default();
+    let name = first_name(rest);
     let has = |folder: &str| {
         listing
             .below(&at(root, &format!("{folder}/{name}")))
@@ -161,7 +161,7 @@ fn has_settings(listing: &Listing<'_>, file: &str) -> bool {
         "\"modifier-presets\"",
         "\"equipment\"",
     ];
-    let (folder, _) = file.rsplit_once('/').unwrap_or(("", file));
+    let (folder, _) = folder_and_name(file);
     let settings = at(folder, "base.json");
     let has_mesh = || {
         ["base.obj", "base.mhbin"]
@@ -264,7 +264,7 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
 /// A loose target, skeleton or weights file is checked as if its owner had already copied it into a
 /// user folder; without a base mesh to copy it to, it is checked alone.
 fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
-    let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+    let (folder, file) = folder_and_name(path);
     let (_, extension) = file.rsplit_once('.')?;
     // Targets and skeletons are looked for one folder below the base; deeper ones would be out of
     // sight.

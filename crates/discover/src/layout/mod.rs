@@ -11,7 +11,7 @@ use super::listing::Listing;
 use super::paths::Paths;
 use super::{Candidate, Kind, Use, extension};
 use mhlint_diag::Application;
-use mhlint_source::{folder_and_name, folders_above};
+use mhlint_source::{depth, folder_and_name, folders_above, parent};
 
 /// How an application lays out its data folders: what their paths say, without a look into a file.
 #[derive(Debug)]
@@ -349,7 +349,7 @@ impl Layout {
 
     /// Whether a path below a data root is that of an asset, or would be one outside of any.
     pub fn is_asset(&self, rel: &str) -> bool {
-        let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let folder = parent(rel);
         let is_known = || !matches!(self.use_of(rel).kind, Kind::Other | Kind::Packed);
         self.roots_above(folder).next().is_some() && is_known()
             || (self.loose_place)(rel, None).is_some()
@@ -373,7 +373,7 @@ impl Layout {
         };
         let parts: Vec<&str> = path.split('/').collect();
         let visible = parts
-            .get(..parts.len() - below.split('/').count() + hidden)
+            .get(..parts.len() - depth(below) + hidden)
             .unwrap_or_default();
         let path = HiddenPath {
             in_root,

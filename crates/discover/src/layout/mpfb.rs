@@ -4,13 +4,13 @@
 pub(crate) mod importer;
 mod version;
 
-use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
 use super::{
     CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, Single, WORN, near, worn_shelf,
 };
 use mhlint_diag::Application;
+use mhlint_source::{extension, first_name, folder_and_name};
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Mpfb,
@@ -221,7 +221,7 @@ fn role(below: &[Candidate<'_>]) -> Role {
             .any(|one| !one.is_loose && one.rel.starts_with(**folder))
     };
     let is_of_user = |one: &Candidate<'_>| {
-        let top = one.rel.split('/').next().unwrap_or_default();
+        let top = first_name(&one.rel);
         WORN.contains(&top) || matches!(top, "custom" | "skins" | "proxymeshes" | "packs")
     };
     let (files, folders) = (
@@ -326,7 +326,7 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
 /// What has no library: targets and rigs as their author would put them, and a model, which is
 /// imported from wherever it is.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
-    let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+    let (folder, name) = folder_and_name(path);
     let near = near(folder);
     match extension(name) {
         "json" if of_config(name) == Some(Kind::HumanPreset) => Some(format!("config/{name}")),

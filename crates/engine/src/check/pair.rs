@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use mhlint_diag::{Finding, Location, Place, Related, Subject};
 use mhlint_repo::Layers;
+use mhlint_source::file_name;
 
 /// What tells findings on the same data apart.
 type Identity = (&'static str, String, Subject);
@@ -49,7 +50,7 @@ fn identity(finding: &Finding) -> Identity {
 fn at(mut finding: Finding, path: String) -> Finding {
     let other = std::mem::replace(&mut finding.path, path);
     let place = std::mem::replace(&mut finding.place, Place::File);
-    let name = other.rsplit('/').next().unwrap_or_default();
+    let name = file_name(&other);
     finding.message = format!(
         "does not match `{name}` of the system data: {}",
         finding.message

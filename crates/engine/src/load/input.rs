@@ -18,8 +18,8 @@ use mhlint_discover::{
     Layout, Listing, Meant, TEST_DATA, find_roots, is_read_though_hidden, new_base,
 };
 use mhlint_source::{
-    self as source, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, read_file,
-    slashed,
+    self as source, EntryKind, Limits, ReadFault, Tree, file_name, folder_name, folder_of, inside,
+    read_file, slashed,
 };
 
 /// A tree to look for data roots in.
@@ -40,7 +40,7 @@ pub(crate) struct Input {
 impl Input {
     pub(crate) fn whole(tree: Tree) -> Self {
         let named = BTreeSet::from([tree.label().to_owned()]);
-        let name = tree.label().rsplit('/').next().unwrap_or_default();
+        let name = file_name(tree.label());
         let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
         Self {
             tree,

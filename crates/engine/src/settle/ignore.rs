@@ -12,7 +12,7 @@ use crate::catalogue::listed;
 use mhlint_config::{Config, Date, Globs, Ignore};
 use mhlint_diag::{IgnoreState, IgnoreUse, Place, UnknownRule};
 use mhlint_repo::FileFacts;
-use mhlint_source::{Outer, Tree};
+use mhlint_source::{Outer, Tree, file_name};
 
 /// The ignores of a run, and which of them hid something so far.
 pub(crate) struct Ignores<'c> {
@@ -221,7 +221,7 @@ impl<'c> Ignores<'c> {
     /// The path for the fingerprint of a finding on an ignore: the path below the data root, or
     /// else the name of the file. It does not depend on where the data lie.
     pub(crate) fn asset(&self, path: &str) -> String {
-        let name = || path.rsplit('/').next().unwrap_or(path).to_owned();
+        let name = || file_name(path).to_owned();
         self.assets.get(path).cloned().unwrap_or_else(name)
     }
 }

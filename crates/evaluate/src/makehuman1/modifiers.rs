@@ -10,6 +10,7 @@ use mhlint_eval::makehuman1::modifiers::{Factor, TargetGroup, clamped};
 use mhlint_eval::makehuman1::variables::{Human, SLIDERS};
 use mhlint_eval::scene::{Setting, SliderKind};
 use mhlint_formats::target::name::TargetName;
+use mhlint_source::first_name;
 
 /// The variables, what each of these modifiers does to its targets, and the weights of all targets,
 /// at a setting.
@@ -174,7 +175,7 @@ pub(super) fn moved(base: &Evaluation, name: &str) -> Result<Moved, Error> {
         .ok_or_else(unknown)?;
     match slider.kind {
         SliderKind::Macro(place) if place < SLIDERS.len() => {
-            let group = name.split('/').next().unwrap_or_default();
+            let group = first_name(name);
             let sides = vec![targets_of(base, Factor::One, |name| name.group() == group)];
             Ok(Moved {
                 sides,

@@ -14,6 +14,7 @@ use mhlint_eval::makehuman2::macro_eval::{Combination, Fate};
 use mhlint_eval::makehuman2::{MacroError, MacroResult, MacroTable};
 use mhlint_eval::scene::Setting;
 use mhlint_formats::macro_json::MacroFile;
+use mhlint_source::parent;
 
 impl Evaluation {
     /// Every combination of the macros at a setting.
@@ -54,10 +55,7 @@ impl Evaluation {
         let mut order: Vec<String> = Vec::new();
         for (target, factor) in &result.factors {
             let target = self.macro_target(*target);
-            let folder = target
-                .rsplit_once('/')
-                .map_or("", |(folder, _)| folder)
-                .to_owned();
+            let folder = parent(target).to_owned();
             if !folders.contains_key(&folder) {
                 order.push(folder.clone());
             }

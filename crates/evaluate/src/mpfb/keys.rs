@@ -10,6 +10,7 @@ use crate::{Error, Evaluation};
 use mhlint_eval::mpfb::mix::key_value;
 use mhlint_eval::scene::{MorphTarget, Setting};
 use mhlint_eval::vector::Point;
+use mhlint_source::file_name;
 
 /// Shape keys in the order in which they were made.
 #[derive(Default)]
@@ -39,7 +40,7 @@ impl Keys {
                 .targets
                 .get(target)
                 .map_or("", |target| target.name.as_str());
-            let name = format!("macrodetail-{}", stem(path));
+            let name = format!("macrodetail-{}", file_name(path));
             self.keys.push(Key {
                 name,
                 target,
@@ -56,7 +57,7 @@ impl Keys {
         let name = file.strip_suffix(".gz").unwrap_or(file);
         let name = name.strip_suffix(".target").unwrap_or(name);
         let target = place(base, name, file);
-        let stem = stem(name);
+        let stem = file_name(name);
         let numbered = (1..).map(|number| format!("{stem}.{number:03}"));
         let mut names = std::iter::once(stem.to_owned()).chain(numbered);
         let is_new = |name: &String| self.keys.iter().all(|key| key.name != *name);
@@ -107,8 +108,4 @@ fn place(base: &mut Evaluation, name: &str, file: &str) -> usize {
         });
         base.scene.targets.len() - 1
     })
-}
-
-fn stem(path: &str) -> &str {
-    path.rsplit('/').next().unwrap_or(path)
 }

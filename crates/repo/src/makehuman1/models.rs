@@ -4,11 +4,12 @@
 use super::Asset;
 use super::search::Search;
 use super::view::OWN;
-use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Worn, parent};
+use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Worn};
 use mhlint_diag::Place;
 use mhlint_discover::{Kind, library_of};
 use mhlint_formats::mhm::Word;
 use mhlint_formats::mhm::lines::{Line, Lines};
+use mhlint_source::parent;
 
 /// The folder of characters, beside the user's data.
 const LIBRARY: &str = "models";

@@ -2,8 +2,8 @@
 //! (`docs/loaders/makehuman1/folders.md#search-for-named-files`).
 
 use crate::path::resolve;
-use crate::{FileFacts, Layer, Layers, Resolution, parent};
-use mhlint_source::normalized;
+use crate::{FileFacts, Layer, Layers, Resolution};
+use mhlint_source::{normalized, parent};
 
 /// A file that names others.
 #[derive(Clone, Copy)]

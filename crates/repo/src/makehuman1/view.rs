@@ -13,13 +13,14 @@ use crate::cubes::{Strays, strays_of};
 use crate::extent::implausible;
 use crate::{
     Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig,
-    Surface, Target, WeightsUse, Worn, parent,
+    Surface, Target, WeightsUse, Worn,
 };
 use mhlint_diag::Application;
 use mhlint_discover::{Kind, library_of};
 use mhlint_formats::asset_mesh::AssetMesh;
 use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::obj::Mesh;
+use mhlint_source::parent;
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Makehuman1;

@@ -4,8 +4,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::parent;
 use mhlint_formats::macro_json::MacroFile;
+use mhlint_source::parent;
 
 /// The folders that macro definitions name, as they are compared.
 #[derive(Debug, Default)]

@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 
 use super::{Asset, Base, Library, OWN};
 use crate::path::resolve;
-use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Worn, parent};
+use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Worn};
 use mhlint_diag::Place;
 use mhlint_discover::{Kind, listed_in};
 use mhlint_formats::mhm::{MaterialLine, Model, Word};
+use mhlint_source::parent;
 
 /// A character that can be loaded.
 #[derive(Debug, Clone, Copy)]

@@ -4,6 +4,7 @@
 use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Rig};
 use mhlint_diag::Place;
 use mhlint_formats::base_json::BaseJson;
+use mhlint_source::depth;
 
 /// Weights of a skeleton that names none.
 const DEFAULT_WEIGHTS: &str = "default_weights.mhw";
@@ -48,7 +49,7 @@ pub(super) fn rigs<'a>(
     let pose = pose.and_then(Reference::found);
     let rig = |file: &'a FileFacts| {
         let is_default = pose.is_some_and(|pose| std::ptr::eq(pose, file));
-        let is_found = is_default || file.rel.split('/').count() <= SCANNED_PARTS;
+        let is_found = is_default || depth(&file.rel) <= SCANNED_PARTS;
         Rig {
             file,
             weights: weights(base, layers, file),

@@ -6,6 +6,7 @@ use crate::surface::Picture;
 use crate::{FileFacts, Layers, Reference, Resolution, Surface, Wearer};
 use mhlint_diag::Place;
 use mhlint_formats::mhmat::Material;
+use mhlint_source::file_name;
 
 /// The litsphere that comes with the program.
 const SHIPPED: &str = "skinmat_eye.png";
@@ -65,7 +66,7 @@ fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {
 /// It is looked for by its name without folders, in one folder of the user and of the system.
 fn litsphere<'a>(layers: Layers<'a>, material: &'a Material) -> Option<Picture<'a>> {
     let word = material.parameter("litsphereTexture")?.words.get(1)?;
-    let name = word.text.rsplit('/').next().unwrap_or_default();
+    let name = file_name(&word.text);
     let rel = format!("shaders/litspheres/{name}");
     let file = layers
         .strongest_first()

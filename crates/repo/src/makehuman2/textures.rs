@@ -7,12 +7,12 @@ use super::{OWN, surfaces};
 use crate::path::{is_absolute, resolve};
 use crate::{
     FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Surface,
-    Wearer, Worn, parent,
+    Wearer, Worn,
 };
 use mhlint_diag::Place;
 use mhlint_discover::{Kind, material_of};
 use mhlint_formats::mhmat::Texture;
-use mhlint_source::normalized;
+use mhlint_source::{normalized, parent};
 
 /// The pictures of all materials that the application opens, by base mesh, and what becomes of the
 /// materials.

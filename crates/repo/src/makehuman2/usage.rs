@@ -5,7 +5,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Base, TargetFolder};
-use crate::{FileFacts, Layers, ReferenceKind, References, parent};
+use crate::{FileFacts, Layers, ReferenceKind, References};
+use mhlint_source::parent;
 
 /// How targets are used, of all bases.
 #[derive(Debug, Default)]

@@ -12,12 +12,13 @@ use super::{
 };
 use crate::extent::implausible;
 use crate::{
-    Body, Doubt, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent,
+    Body, Doubt, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn,
 };
 use mhlint_diag::grouped;
 use mhlint_discover::{Kind, listed_in};
 use mhlint_formats::base_json::BaseJson;
 use mhlint_formats::selection_filter::SelectionFilter;
+use mhlint_source::parent;
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]

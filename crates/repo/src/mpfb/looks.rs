@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 use super::keys::{Key, Reads, key};
 use super::view::OWN;
 use crate::path::resolve;
-use crate::{FileFacts, Layer, Reference, ReferenceKind, Wearer, Worn, parent};
+use crate::{FileFacts, Layer, Reference, ReferenceKind, Wearer, Worn};
 use mhlint_diag::Place;
 use mhlint_discover::Kind;
 use mhlint_formats::mhmat::{Material, Statement};
-use mhlint_source::normalized;
+use mhlint_source::{normalized, parent};
 
 /// A material with what its lines set.
 #[derive(Debug)]

@@ -8,6 +8,7 @@ use super::view::OWN;
 use crate::{FileFacts, Layers, Worn};
 use mhlint_discover::Layout;
 use mhlint_formats::mhclo::Entry;
+use mhlint_source::file_name;
 
 /// Targets that are found by their names, each under its file name in small letters.
 #[derive(Debug, Default)]
@@ -159,13 +160,13 @@ impl<'a> NamedFiles<'a> {
 
     /// Whether a reference leads to a file of its name below the folder of a section.
     pub fn has(&self, section: &str, reference: &str) -> bool {
-        let name = reference.rsplit('/').next().unwrap_or(reference);
+        let name = file_name(reference);
         self.in_sections.contains(&(section, name))
     }
 
     /// The folder at the top that holds a file of the name.
     pub fn section_of(&self, reference: &str) -> Option<&'a str> {
-        let name = reference.rsplit('/').next().unwrap_or(reference);
+        let name = file_name(reference);
         self.first
             .get(name)
             .and_then(|file| file.rel.split_once('/'))

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::loops::{Axis, LOOPS, Name, are_too_many, is_reachable};
 use crate::{FileFacts, Layer};
 use mhlint_formats::macro_parts::{MacroParts, RACES, Setting};
-use mhlint_source::normalized;
+use mhlint_source::{normalized, parent};
 
 /// `macro.json` in its layer.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ impl<'a> Parts<'a> {
                 .iter()
                 .filter(|own| own.is_reachable && own.file.is_none());
             parts.lacking = missing
-                .map(|own| crate::parent(&own.rel).to_ascii_lowercase())
+                .map(|own| parent(&own.rel).to_ascii_lowercase())
                 .collect();
         }
         Some(parts)
@@ -137,13 +137,12 @@ impl<'a> Parts<'a> {
     /// Whether a loop misses a target in the folder of this one, which may be the one that it is
     /// meant to be.
     pub fn may_be_meant(&self, rel: &str) -> bool {
-        self.lacking
-            .contains(&crate::parent(rel).to_ascii_lowercase())
+        self.lacking.contains(&parent(rel).to_ascii_lowercase())
     }
 
     /// The folder of all targets: the one above that of the file.
     pub fn folder(&self) -> &'a str {
-        crate::parent(crate::parent(&self.file.rel))
+        parent(parent(&self.file.rel))
     }
 
     fn all_requests(&self) -> Vec<Request<'a>> {

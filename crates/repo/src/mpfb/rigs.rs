@@ -6,9 +6,10 @@ use super::view::OWN;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::{FileFacts, Layer, Layers, StoredBones, parent};
+use crate::{FileFacts, Layer, Layers, StoredBones};
 use mhlint_discover::Kind;
 use mhlint_formats::rig::{Identifying, Rig as Definition};
+use mhlint_source::parent;
 
 /// A rig, readable or not.
 #[derive(Debug)]

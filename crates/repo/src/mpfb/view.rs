@@ -15,7 +15,7 @@ use super::rigs::{self, RigFile, RigPart};
 use crate::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
 use crate::{
     Body, BodyWeights, Doubt, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig,
-    Target, WeightsUse, Worn, parent,
+    Target, WeightsUse, Worn,
 };
 use mhlint_diag::{Application, Place};
 use mhlint_discover::{Kind, Layout, Refusal};
@@ -24,7 +24,7 @@ use mhlint_formats::mesh_metadata::VertexGroups;
 use mhlint_formats::obj::Mesh;
 use mhlint_formats::rig::Rig as Definition;
 use mhlint_formats::target_catalog::{Category, TargetCatalog};
-use mhlint_source::is_below;
+use mhlint_source::{is_below, parent};
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Mpfb;

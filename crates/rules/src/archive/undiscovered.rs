@@ -8,6 +8,7 @@ use mhlint_discover::Kind;
 use mhlint_formats::npz::targets::PackedTarget;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman1::{TargetArchive, View};
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(
@@ -115,7 +116,7 @@ fn pictures(view: &View<'_>, archive: &TargetArchive<'_>) -> Option<Finding> {
             .file(path.strip_prefix("data/").unwrap_or(path))
             .is_some()
     };
-    let name = |path: &str| path.rsplit('/').next().unwrap_or(path).to_lowercase();
+    let name = |path: &str| file_name(path).to_lowercase();
     let listed: BTreeSet<String> = list
         .pictures
         .iter()
@@ -129,17 +130,8 @@ fn pictures(view: &View<'_>, archive: &TargetArchive<'_>) -> Option<Finding> {
         .map(|file| file.file_name().to_lowercase())
         .filter(|name| name.ends_with(".png"));
     let there: BTreeSet<String> = there.collect();
-    let of_slider = |slider: &str| {
-        format!(
-            "{}.png",
-            slider
-                .rsplit('/')
-                .next()
-                .unwrap_or(slider)
-                .replace('|', "-")
-                .to_lowercase()
-        )
-    };
+    let of_slider =
+        |slider: &str| format!("{}.png", file_name(slider).replace('|', "-").to_lowercase());
     let wanted: BTreeSet<String> = view
         .modifiers
         .names()

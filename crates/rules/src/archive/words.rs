@@ -6,7 +6,8 @@ use super::Sort;
 use mhlint_diag::{Application::Makehuman2, Case, Level};
 use mhlint_formats::mhbin::{MeshFault, Misfit, Part};
 use mhlint_formats::npz::{ArchiveFault, NpyFault};
-use mhlint_repo::{FileFacts, View, parent};
+use mhlint_repo::{FileFacts, View};
+use mhlint_source::parent;
 
 const REFUSED: Case = &[(
     Makehuman2,

@@ -6,10 +6,11 @@ use super::super::{Check, Rule, RuleCx};
 use super::{checked, place};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::extension;
+use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{
     LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, View, identifiers,
 };
-use mhlint_repo::{FileFacts, parent};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(

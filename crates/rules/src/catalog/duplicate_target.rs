@@ -6,8 +6,9 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::{checked, place, sliders};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use mhlint_formats::target_catalog::{Category, Section};
+use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{Catalog, View, identifiers, is_custom};
-use mhlint_repo::{FileFacts, parent};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(

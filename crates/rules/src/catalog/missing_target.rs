@@ -10,7 +10,8 @@ use mhlint_diag::{
 };
 use mhlint_formats::target_catalog::Section;
 use mhlint_repo::mpfb::{Catalog, View};
-use mhlint_repo::{Reference, ReferenceKind, Resolution, parent};
+use mhlint_repo::{Reference, ReferenceKind, Resolution};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use mhlint_diag::Suggestions;
 use mhlint_repo::mpfb::{Catalog, View, is_custom};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, parent};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind};
+use mhlint_source::parent;
 
 /// Files that a missing one may be meant to be.
 pub(super) struct Neighbours<'v, 'a> {

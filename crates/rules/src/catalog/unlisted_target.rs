@@ -7,7 +7,8 @@ use super::neighbours::Neighbours;
 use super::{checked, forgotten_ends, sliders};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::mpfb::{View, is_custom};
-use mhlint_repo::{FileFacts, Resolution, parent};
+use mhlint_repo::{FileFacts, Resolution};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "shows no slider for it")],

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use mhlint_repo::makehuman2::{self, Asset};
-use mhlint_repo::{FileFacts, View, parent};
+use mhlint_repo::{FileFacts, View};
+use mhlint_source::parent;
 
 /// Whether two assets and all that they name have the same content.
 pub(crate) fn is_copy(view: &makehuman2::View<'_>, one: &Asset<'_>, other: &Asset<'_>) -> bool {

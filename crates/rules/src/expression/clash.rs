@@ -7,6 +7,7 @@ use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo, grou
 use mhlint_discover::Kind;
 use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{View, identifier};
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes a slider for only one of them")],
@@ -76,11 +77,7 @@ fn same_names(view: &View<'_>) -> Vec<Finding> {
         .filter(|file| file.rel.matches('/').count() > 1);
     let name = |file: &FileFacts| {
         (
-            file.folder()
-                .rsplit('/')
-                .next()
-                .unwrap_or_default()
-                .to_owned(),
+            file_name(file.folder()).to_owned(),
             file.file_name().to_owned(),
         )
     };

@@ -9,6 +9,7 @@ use mhlint_diag::{
 };
 use mhlint_discover::extension;
 use mhlint_repo::View;
+use mhlint_source::{file_name, folder_and_name};
 
 const ONE: &str = "finds only one of them on Windows and macOS, where they cannot coexist";
 
@@ -25,7 +26,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let siblings = grouped(layer.files.keys().chain(&layer.folders).map(|path| {
-        let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+        let (folder, name) = folder_and_name(path);
         ((folder, name.to_lowercase()), path.as_str())
     }));
     let misnamed: BTreeSet<String> = view
@@ -44,7 +45,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         else {
             continue;
         };
-        let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
+        let name = |path: &str| file_name(path).to_owned();
         let before: Vec<String> = paths
             .iter()
             .filter(|path| *path != last)

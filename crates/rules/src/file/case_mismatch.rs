@@ -16,6 +16,7 @@ use mhlint_diag::{
 };
 use mhlint_discover::extension;
 use mhlint_repo::{Reference, ReferenceKind, Resolution, View};
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
@@ -99,7 +100,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let meant = meant(first, &name, &on_disk);
         if differs_in_extension(&written, target) {
-            let right = written.rsplit('/').next().unwrap_or_default();
+            let right = file_name(&written);
             out.push(finding.help(format!(
                 "rename the file to `{right}`: extensions are case-sensitive"
             )));
@@ -115,7 +116,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         // A folder that the file does not name has the name of a base mesh, or of a library.
-        let last = name.rsplit('/').next().unwrap_or_default();
+        let last = file_name(&name);
         if what == "folder" && folder_on_disk(first).is_none() && !first.text.contains(last) {
             out.push(finding.help(format!("rename the folder to `{last}`")));
             continue;
@@ -144,7 +145,7 @@ fn others(alike: &[String], target: &str) -> Option<String> {
 fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
     if matches!(first.kind, ReferenceKind::Slot | ReferenceKind::SliderName) {
         // A slot holds the name of the file without its suffix.
-        let file = on_disk.rsplit('/').next().unwrap_or(on_disk);
+        let file = file_name(on_disk);
         return file.split(".target").next().unwrap_or(file).to_owned();
     }
     if let (ReferenceKind::Texture, Some(found)) = (first.kind, found(first)) {

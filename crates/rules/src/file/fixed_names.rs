@@ -4,6 +4,7 @@ use super::super::Rule;
 use super::super::cause::consequence::{Damage, consequence};
 use mhlint_diag::{Finding, Level, Place};
 use mhlint_repo::View;
+use mhlint_source::file_name;
 
 /// Findings on those with other capitals.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -17,10 +18,7 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         else {
             continue;
         };
-        let (name, wanted) = (
-            file.file_name(),
-            right.rsplit('/').next().unwrap_or_default(),
-        );
+        let (name, wanted) = (file.file_name(), file_name(&right));
         let message = format!("`{name}` must be named `{wanted}`");
         let loss = consequence(view, &right, Damage::Absent);
         let level = loss.map_or(Level::Error, |loss| loss.level);

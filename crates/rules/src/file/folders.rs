@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use super::super::{Rule, and_more, counted};
 use mhlint_diag::{Evidence, Finding, grouped};
 use mhlint_repo::{MisnamedFolder, View};
+use mhlint_source::file_name;
 
 /// One finding for each name, but for folders that a finding on a name in a file names already.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, told: &BTreeSet<String>) -> Vec<Finding> {
-    let name =
-        |folder: &MisnamedFolder| folder.rel.rsplit('/').next().unwrap_or_default().to_owned();
+    let name = |folder: &MisnamedFolder| file_name(&folder.rel).to_owned();
     let by_name = grouped(
         view.misnamed_folders()
             .into_iter()
@@ -27,7 +27,7 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, told: &BTreeSet<String>) ->
 fn finding(rule: &Rule, view: &View<'_>, folders: &[MisnamedFolder]) -> Option<Finding> {
     let first = folders.first()?;
     let files: usize = folders.iter().map(|folder| folder.files).sum();
-    let right = first.right.rsplit('/').next().unwrap_or_default();
+    let right = file_name(&first.right);
     let more = and_more(folders.len(), "folder");
     let message = format!("`{}` must be named `{}`{more}", first.rel, first.right);
     let effect = format!(

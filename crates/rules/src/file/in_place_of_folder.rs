@@ -12,6 +12,7 @@ use mhlint_diag::{
 use mhlint_discover::Kind;
 use mhlint_formats::Format;
 use mhlint_repo::View;
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
@@ -33,7 +34,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, stands: &str, belongs: &str, help: &str| {
-        let name = rel.rsplit('/').next().unwrap_or(rel);
+        let name = file_name(rel);
         let message = format!("`{name}` is a {stands}, expected a {belongs}");
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, Damage::Closed).map(|loss| loss.of(view, finding))

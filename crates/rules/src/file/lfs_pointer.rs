@@ -10,8 +10,8 @@ use mhlint_diag::{
 };
 use mhlint_discover::Kind;
 use mhlint_formats::Format;
-use mhlint_repo::{FileFacts, View, parent};
-use mhlint_source::is_below;
+use mhlint_repo::{FileFacts, View};
+use mhlint_source::{is_below, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[

@@ -9,6 +9,7 @@ use mhlint_diag::{
     Case, Finding, Level, RuleInfo,
 };
 use mhlint_repo::{Resolution, View};
+use mhlint_source::file_name;
 
 const LOST: &str = "does not find the file on a system that cannot hold its name";
 
@@ -33,7 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let not_found = named_in_another_form(view);
     let faults = layer.walk_faults.iter().map(|fault| &fault.path);
     for path in layer.files.keys().chain(&layer.folders).chain(faults) {
-        let name = path.rsplit('/').next().unwrap_or(path);
+        let name = file_name(path);
         if let Some(fault) = fault(name) {
             // That something names it in another form and does not find it is the worse news.
             if fault.what == DECOMPOSED && is_or_holds(&not_found, path) {

@@ -7,7 +7,8 @@ use super::icons;
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use mhlint_discover::{Kind, Layout, extension};
 use mhlint_repo::makehuman2::{Base, View};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "never opens it")],

@@ -6,8 +6,9 @@ use super::super::{Check, Rule, RuleCx, did_you_mean};
 use mhlint_diag::{Application::Mpfb, Finding, Grouped, Level, Place, RuleInfo, grouped};
 use mhlint_discover::Kind;
 use mhlint_formats::unfit::NamedAt;
+use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::View;
-use mhlint_repo::{FileFacts, parent};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with an exception when the layer is put on")],

@@ -10,6 +10,7 @@ use mhlint_formats::macro_json::Component;
 use mhlint_formats::mhskel::{Bone, RotationPlane, Section};
 use mhlint_json::UnknownKey;
 use mhlint_repo::{FileFacts, View};
+use mhlint_source::parent;
 
 /// What other findings of a file name.
 pub(super) struct Told<'f> {
@@ -89,10 +90,7 @@ fn lacking(file: &FileFacts) -> BTreeSet<(&str, &str)> {
 
 /// Whether the finding on the key that the schema misses names this one.
 fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
-    let owner = unknown
-        .pointer
-        .rsplit_once('/')
-        .map_or("", |(owner, _)| owner);
+    let owner = parent(&unknown.pointer);
     lacking
         .range((owner, "")..)
         .take_while(|(other, _)| *other == owner)

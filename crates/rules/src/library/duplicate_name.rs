@@ -7,7 +7,7 @@ use mhlint_diag::{
     Finding, Level, Place, RuleInfo, grouped,
 };
 use mhlint_repo::makehuman2::{Asset, View};
-use mhlint_repo::parent;
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(

@@ -19,7 +19,7 @@ use mhlint_formats::mhbin::asset::Packed;
 use mhlint_repo::aside::OF_MAKEHUMAN1;
 use mhlint_repo::makehuman1::{Asset, CUSTOM, Known, View};
 use mhlint_repo::{FileFacts, Layer};
-use mhlint_source::Guess;
+use mhlint_source::{Guess, first_name};
 
 /// What is worn in a library that lists another extension.
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -212,10 +212,7 @@ pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         .values()
         .filter(|file| !file.file_name().starts_with('.'))
     {
-        let (own, library) = (
-            extension(&file.rel),
-            file.rel.split('/').next().unwrap_or_default(),
-        );
+        let (own, library) = (extension(&file.rel), first_name(&file.rel));
         let (Some(right), Some(stem)) = (library_extension(library), stem(file)) else {
             continue;
         };

@@ -11,7 +11,8 @@ use mhlint_diag::{
 };
 use mhlint_discover::{extension, listed_in};
 use mhlint_repo::makehuman2::{Asset, View};
-use mhlint_repo::{FileFacts, Resolution, parent};
+use mhlint_repo::{FileFacts, Resolution};
+use mhlint_source::{file_name, parent, without_extension};
 
 pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| {
     shelves::without_pictures(&RULE, view, out);
@@ -51,7 +52,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .files
         .values()
         .filter(|file| listed_in(&file.rel).is_some());
-    let stems: BTreeSet<&str> = listed.map(|file| stem(&file.rel)).collect();
+    let stems: BTreeSet<&str> = listed.map(|file| without_extension(&file.rel)).collect();
     let clashes = view
         .library
         .bases()
@@ -62,7 +63,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .map(|asset| asset.file.path.as_str())
         .collect();
     let bare = own.iter().filter(|asset| {
-        let rel = format!("{}.thumb", stem(&asset.file.rel));
+        let rel = format!("{}.thumb", without_extension(&asset.file.rel));
         // Of copies that are known by the same one has a picture.
         let is_read = asset.file.encoding.invalid_utf8_at.is_none()
             && !asset.file.file_name().starts_with('.');
@@ -88,7 +89,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ((category, base), assets) in by_folder {
         let mut plain: Vec<&Asset<'_>> = Vec::new();
         for asset in assets {
-            let rel = format!("{}.thumb", stem(&asset.file.rel));
+            let rel = format!("{}.thumb", without_extension(&asset.file.rel));
             match strays.remove(parent(&asset.file.rel)) {
                 _ if layer.folders.binary_search(&rel).is_ok() => out.push(folder(asset, &rel)),
                 Some(picture) => out.push(misnamed(asset, picture)),
@@ -103,10 +104,6 @@ fn of_makehuman1(view: &mhlint_repo::makehuman1::View<'_>, _: &RuleCx<'_>, out: 
     makehuman1::without_pictures(&RULE, view, out);
 }
 
-fn stem(rel: &str) -> &str {
-    rel.rsplit_once('.').map_or(rel, |(stem, _)| stem)
-}
-
 fn is_thumb(file: &FileFacts) -> bool {
     extension(&file.rel).eq_ignore_ascii_case("thumb")
 }
@@ -114,7 +111,11 @@ fn is_thumb(file: &FileFacts) -> bool {
 /// Whether a picture belongs to an asset or a material.
 fn is_of_one(rel: &str, stems: &BTreeSet<&str>, layer: &mhlint_repo::Layer) -> bool {
     let is_exact = extension(rel) == "thumb";
-    is_exact && (stems.contains(stem(rel)) || layer.file(&format!("{}.mhmat", stem(rel))).is_some())
+    is_exact
+        && (stems.contains(without_extension(rel))
+            || layer
+                .file(&format!("{}.mhmat", without_extension(rel)))
+                .is_some())
 }
 
 fn misnamed(asset: &Asset<'_>, picture: &FileFacts) -> Finding {
@@ -132,7 +133,7 @@ fn misnamed(asset: &Asset<'_>, picture: &FileFacts) -> Finding {
 
 /// A folder has the name of the picture.
 fn folder(asset: &Asset<'_>, rel: &str) -> Finding {
-    let name = rel.rsplit('/').next().unwrap_or(rel);
+    let name = file_name(rel);
     let finding = RULE
         .at(
             asset.file,

@@ -27,7 +27,8 @@ use mhlint_diag::{
     Case, Evidence, Finding, Level, Place,
 };
 use mhlint_discover::extension;
-use mhlint_repo::{FileFacts, Layer, parent};
+use mhlint_repo::{FileFacts, Layer};
+use mhlint_source::{first_name, parent};
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
@@ -159,7 +160,7 @@ fn as_copy(file: &FileFacts) -> (bool, usize, &str) {
 
 /// The first folder of a path.
 fn top(file: &FileFacts) -> &str {
-    file.rel.split('/').next().unwrap_or_default()
+    first_name(&file.rel)
 }
 
 /// Folders with the suffixes of the assets that lie directly in them.

@@ -13,7 +13,8 @@ use mhlint_diag::{
 };
 use mhlint_discover::extension;
 use mhlint_formats::outdated::Outdated;
-use mhlint_repo::{FileFacts, Layer, View, parent};
+use mhlint_repo::{FileFacts, Layer, View};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[

@@ -5,6 +5,7 @@ use super::super::{Rule, counted};
 use super::shelves;
 use mhlint_diag::{Application, Case, Finding, Level, Place, grouped};
 use mhlint_repo::{FileFacts, View, makehuman1, makehuman2, mpfb};
+use mhlint_source::file_name;
 
 /// Adds the assets of a pack.
 pub fn add_pack(beside: &mut SideBySide, view: &View<'_>) {
@@ -160,7 +161,7 @@ fn report<'f>(
                 )
             }
         };
-        let name = pack.rsplit('/').next().unwrap_or(pack);
+        let name = file_name(pack);
         let finding = rule
             .at(file, Place::File, message)
             .key(format!("pack {name} {are_copies}"));

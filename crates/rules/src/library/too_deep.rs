@@ -9,7 +9,8 @@ use mhlint_diag::{
 };
 use mhlint_discover::{extension, in_place_of, library_extension};
 use mhlint_repo::makehuman2::View;
-use mhlint_repo::{FileFacts, Layer, makehuman1, parent};
+use mhlint_repo::{FileFacts, Layer, makehuman1};
+use mhlint_source::{depth, parent};
 
 pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| {
     shelves::in_capitals(&RULE, view, out);
@@ -148,7 +149,7 @@ fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> 
     let first = files.first()?;
     let message = match files.len() {
         1 => {
-            let depth = first.rel.split('/').count().saturating_sub(3);
+            let depth = depth(&first.rel).saturating_sub(3);
             format!(
                 "`{}` lies {depth} folders below `{right}`, expected 1 at most",
                 first.file_name()

@@ -8,6 +8,7 @@ use mhlint_diag::{Grouped, Place, Suggestions, grouped};
 use mhlint_discover::extension;
 use mhlint_formats::mhmat::Line;
 use mhlint_repo::{FileFacts, PictureFolders, Reference, View};
+use mhlint_source::file_name;
 
 /// The pictures that names may be meant for.
 pub(super) struct Advice<'v, 'a> {
@@ -194,10 +195,6 @@ fn near<'a>(file: &'a FileFacts, folders: &PictureFolders<'_>) -> Option<&'a str
 
 fn below<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
     path.strip_prefix(folder)?.strip_prefix('/')
-}
-
-pub(super) fn file_name(path: &str) -> &str {
-    path.rsplit('/').next().unwrap_or(path)
 }
 
 /// Extensions of pictures that MakeHuman 2 can show, in small letters.

@@ -10,8 +10,8 @@ use mhlint_diag::{
     Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use mhlint_discover::extension;
-use mhlint_repo::{Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
-use mhlint_source::is_below;
+use mhlint_repo::{Layer, Reference, ReferenceKind, View, Wearer, Worn};
+use mhlint_source::{is_below, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "does not offer the materials")],

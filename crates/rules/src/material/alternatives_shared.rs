@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Rule, counted};
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, grouped};
 use mhlint_discover::Kind;
-use mhlint_repo::{FileFacts, ReferenceKind, View, parent};
+use mhlint_repo::{FileFacts, ReferenceKind, View};
+use mhlint_source::parent;
 
 const UNOFFERED: Case = &[(
     Makehuman2,

@@ -13,7 +13,8 @@ use mhlint_discover::{Kind, Single};
 use mhlint_formats::mhmat::{Unknown, Word};
 use mhlint_formats::python_float;
 use mhlint_repo::mpfb::{self, Look, Reads, Set, key_names};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer, parent};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer};
+use mhlint_source::{first_name, parent};
 
 /// Lines of one fault in a material: one finding.
 struct Lines<'l> {
@@ -468,7 +469,7 @@ pub(super) fn conflicting(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Find
 pub(super) fn plain(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     // Eyes have a setting of their own, and proxies wear the skin.
     let counts = |look: &&Look<'_>| {
-        let section = look.file.rel.split('/').next().unwrap_or_default();
+        let section = first_name(&look.file.rel);
         look.wearer == Wearer::Asset && !matches!(section, "eyes" | "proxymeshes")
     };
     for look in view

@@ -1,13 +1,14 @@
 //! A litsphere needs its picture.
 
 use super::super::{Check, Rule, RuleCx, shown};
-use super::advice::{file_name, is_quoted};
+use super::advice::is_quoted;
 use super::loader;
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, RuleInfo, grouped,
 };
 use mhlint_repo::{Picture, Resolution, Surface, View};
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[

@@ -3,13 +3,14 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::advice::{Advice, file_name, is_quoted};
+use super::advice::{Advice, is_quoted};
 use super::blender;
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, RuleInfo, grouped,
 };
-use mhlint_repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
+use mhlint_repo::{Layer, Reference, ReferenceKind, Resolution, View};
+use mhlint_source::{file_name, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[

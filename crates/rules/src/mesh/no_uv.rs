@@ -8,8 +8,8 @@ use mhlint_diag::{
     Finding, Level, Place, RuleInfo,
 };
 use mhlint_discover::Kind;
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
-use mhlint_source::folders_above;
+use mhlint_repo::{FileFacts, Reference, ReferenceKind, View, Worn};
+use mhlint_source::{folders_above, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[

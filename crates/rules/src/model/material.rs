@@ -12,7 +12,8 @@ use mhlint_diag::{
 };
 use mhlint_formats::mhm::MaterialLine;
 use mhlint_repo::makehuman2::{Base, SavedModel, View};
-use mhlint_repo::{Reference, ReferenceKind, Resolution, parent};
+use mhlint_repo::{Reference, ReferenceKind, Resolution};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::EachBase(
     run,

@@ -7,6 +7,7 @@ use super::own;
 use mhlint_diag::{EXAMPLES, Evidence, Finding, grouped};
 use mhlint_repo::makehuman2::{Base, View};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use mhlint_source::{depth, file_name};
 
 /// Findings on the models of a base mesh. A missing file is one mistake, in however many models it
 /// is named.
@@ -76,7 +77,7 @@ impl<'v> Shelf<'v> {
             let below = file.rel.strip_prefix(&rel);
             let below = below.and_then(|below| below.strip_prefix('/'));
             names.extend(below.filter(|below| below.ends_with(suffix)));
-            if file.rel.split('/').count() > 3 {
+            if depth(&file.rel) > 3 {
                 deeper.entry(file.file_name()).or_insert(file);
             }
         }
@@ -90,7 +91,7 @@ impl<'v> Shelf<'v> {
 
     fn help(&self, reference: &Reference<'_>, cx: &RuleCx<'_>) -> String {
         let rel = &self.rel;
-        let name = reference.text.rsplit('/').next().unwrap_or_default();
+        let name = file_name(reference.text);
         if let Some(file) = self.deeper.get(name).filter(|_| self.what == "skeleton") {
             return format!(
                 "move `{}` to `{rel}`: a model finds skeletons only there",

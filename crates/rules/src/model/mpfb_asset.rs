@@ -9,6 +9,7 @@ use mhlint_discover::Kind;
 use mhlint_formats::mhm::columns::Wearing;
 use mhlint_repo::mpfb::View;
 use mhlint_repo::{FileFacts, Worn};
+use mhlint_source::{file_name, first_name};
 
 const LEFT_OUT: Case = &[(
     Mpfb,
@@ -50,7 +51,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
             .filter(|skin| !view.named.has("skins", &skin.text));
         out.extend(skin.map(|skin| {
             let message = format!("skin `{}` does not exist", skin.text);
-            let name = skin.text.rsplit('/').next().unwrap_or_default();
+            let name = file_name(&skin.text);
             let near = cx
                 .suggestions
                 .nearest_of_kind(name, view.named.names("skins"));
@@ -98,7 +99,7 @@ impl<'v> Asset<'v> {
     fn of(worn: &'v Worn<'v>) -> Self {
         Self {
             worn,
-            folder: worn.file.rel.split('/').next().unwrap_or_default(),
+            folder: first_name(&worn.file.rel),
             plain: plain(worn.file.stem()),
         }
     }

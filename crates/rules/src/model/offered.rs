@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use mhlint_repo::makehuman2::View;
+use mhlint_source::file_name;
 
 /// The materials below a folder that a model can name, as it would name them.
 pub(super) struct Offered<'v> {
@@ -34,5 +35,5 @@ impl<'v> Offered<'v> {
 }
 
 pub(super) fn last(name: &str) -> &str {
-    name.rsplit('/').next().unwrap_or(name)
+    file_name(name)
 }

@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use mhlint_diag::Suggestions;
 use mhlint_formats::Format;
 use mhlint_repo::makehuman2::{Base, View};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use mhlint_source::{file_name, parent};
 
 /// Missing files that have one cause.
 pub(super) struct Group<'r, 'a> {
@@ -83,7 +84,7 @@ pub(super) fn nearest<'a>(
     suggestions: &Suggestions,
 ) -> Option<&'a str> {
     let folder = parent(&reference.rel);
-    let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
+    let wanted = file_name(&reference.rel);
     // Editors on Windows put a second suffix behind the name: the file is the one that is meant.
     let is_free = |file: &&FileFacts| !Format::of(file.kind).is_json() && !is_used(view, file);
     let doubled = format!("{}.txt", reference.rel);

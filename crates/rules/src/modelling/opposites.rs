@@ -8,6 +8,7 @@ use super::with_patterns;
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, Undeclared, View, as_undeclared};
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -185,10 +186,6 @@ fn weigh(
 
 /// The part of a target's name behind its last `-`.
 fn ending(path: Option<&str>) -> &str {
-    let name = path
-        .unwrap_or_default()
-        .rsplit('/')
-        .next()
-        .unwrap_or_default();
+    let name = file_name(path.unwrap_or_default());
     name.rsplit('-').next().unwrap_or(name)
 }

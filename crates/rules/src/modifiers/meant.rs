@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::RuleCx;
 use mhlint_diag::{Grouped, grouped};
 use mhlint_repo::makehuman1::{KnownModifier, View};
+use mhlint_source::first_name;
 
 /// Names that no modifier has, and the modifiers that seem to be meant by them.
 pub(crate) struct Meant<'v> {
@@ -113,7 +114,7 @@ impl<'v> KnownGroups<'v> {
 
 /// What stands in front of the name of a modifier.
 pub(super) fn group_of(name: &str) -> &str {
-    name.split('/').next().unwrap_or_default()
+    first_name(name)
 }
 
 /// The name with its sides exchanged.

@@ -10,7 +10,8 @@ use mhlint_diag::{
 };
 use mhlint_discover::{Kind, extension};
 use mhlint_repo::makehuman2::{Asset, View};
-use mhlint_repo::{FileFacts, Layer, makehuman1, mpfb, parent};
+use mhlint_repo::{FileFacts, Layer, makehuman1, mpfb};
+use mhlint_source::{depth, parent};
 
 pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, shared, of_mpfb).rule(RuleInfo {
     breaks: &[
@@ -176,7 +177,7 @@ fn asset_folders(layer: &Layer) -> BTreeSet<&str> {
 
 /// Whether a file would be part of an asset in its folder.
 fn is_part(file: &FileFacts) -> bool {
-    matches!(extension(&file.rel), "mhmat" | "obj") && file.rel.split('/').count() == 4
+    matches!(extension(&file.rel), "mhmat" | "obj") && depth(&file.rel) == 4
 }
 
 fn unused(view: &View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding> {

@@ -6,6 +6,7 @@ use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, group
 use mhlint_discover::{
     Loss, extension, import, in_place_of, listed_in, loss, meant_for, top_folder,
 };
+use mhlint_source::{file_name, first_name, parent};
 
 const PICTURES: Case = &[(Makehuman2, Level::Warning, "ignores the pictures on import")];
 const UNLISTED: Case = &[(
@@ -121,7 +122,7 @@ enum Unlisted {
 }
 
 fn unlisted(place: &str) -> Option<Unlisted> {
-    let folder = place.split('/').next().unwrap_or_default();
+    let folder = first_name(place);
     if extension(place).eq_ignore_ascii_case("zip") {
         return Some(Unlisted::Packed);
     }
@@ -141,8 +142,7 @@ fn unlisted(place: &str) -> Option<Unlisted> {
 
 /// The folder to move: that of the asset, not of the kind.
 fn folder_of(path: &str) -> String {
-    path.rsplit_once('/')
-        .map_or_else(String::new, |(folder, _)| folder.to_owned())
+    parent(path).to_owned()
 }
 
 fn of_unlisted(
@@ -153,7 +153,7 @@ fn of_unlisted(
     paths: &[&str],
 ) -> Finding {
     let first = paths.first().copied().unwrap_or_default();
-    let (name, kind) = (first.rsplit('/').next().unwrap_or(first), top(first, 1));
+    let (name, kind) = (file_name(first), top(first, 1));
     let (message, help) = match fault {
         Unlisted::Packed => (
             format!("`{name}` is a zip in the zip: importing does not unpack it"),

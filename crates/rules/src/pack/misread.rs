@@ -7,6 +7,7 @@ use mhlint_diag::{
     Case, Evidence, Finding, Level,
 };
 use mhlint_repo::{Reference, ReferenceKind};
+use mhlint_source::file_name;
 
 pub(super) const NO_MESH: Case = &[
     (
@@ -41,7 +42,7 @@ pub(super) fn finding<'n>(
 ) -> Option<Finding> {
     let first = references.first()?;
     let (path, read) = names(first)?;
-    let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
+    let name = |path: &str| file_name(path).to_owned();
     let becomes = format!(
         "`{}` is not marked as UTF-8 in the zip and becomes `{}`",
         name(path),

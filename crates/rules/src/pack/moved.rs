@@ -7,7 +7,8 @@ use super::lost::is_below_base;
 use super::{Packed, misread, top};
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, grouped};
 use mhlint_repo::makehuman2::View;
-use mhlint_repo::{Reference, Resolution, parent};
+use mhlint_repo::{Reference, Resolution};
+use mhlint_source::{depth, parent};
 
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, view: &View<'_>, out: &mut Vec<Finding>) {
     out.extend(below_base(rule, pack));
@@ -87,7 +88,7 @@ fn cause(pack: &Packed<'_>, one: &Reference<'_>) -> Option<Cause> {
             Cause::Misread
         }
         None => Cause::Ignored(top(path, 1)),
-        Some(_) if path.split('/').count() > 3 => Cause::Renamed(top(path, 3)),
+        Some(_) if depth(path) > 3 => Cause::Renamed(top(path, 3)),
         // The material is what has moved.
         Some(_) => Cause::Renamed(top(from, 3)),
     })

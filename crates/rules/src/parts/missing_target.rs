@@ -6,9 +6,10 @@ use super::super::{Check, Rule, RuleCx, did_you_mean, enumerated};
 use super::stretch::checked;
 use super::wanted::{are_of_default, lost_names, missing};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
+use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::loops::{LOOPS, Loop, Name, names};
 use mhlint_repo::mpfb::{Parts, Request, View};
-use mhlint_repo::{FileFacts, parent};
+use mhlint_source::{file_name, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
@@ -201,10 +202,7 @@ fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
         );
     }
     if let Some(other) = renamed(parts, first, cx) {
-        let (is, right) = (
-            other.file_name(),
-            first.rel.rsplit('/').next().unwrap_or(&first.rel),
-        );
+        let (is, right) = (other.file_name(), file_name(&first.rel));
         return format!("did you mean `{is}`? Rename it to `{right}`");
     }
     let lost: Vec<String> = lost.iter().map(|(_, name)| format!("`{name}`")).collect();

@@ -8,6 +8,7 @@ use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, 
 use mhlint_discover::Kind;
 use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{POSE_ENDINGS, RigPart, View, rig_of_pose};
+use mhlint_source::{file_name, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never offers the poses")],
@@ -24,7 +25,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let poses = poses.filter(|file| file.stored_pose().is_some_and(|pose| pose.is_pose));
     let rigs = view.rigs.iter().filter(|rig| rig.part != RigPart::Asset);
     let rigs: BTreeSet<&str> = rigs.map(|rig| rig.name).collect();
-    for (folder, files) in grouped(poses.map(|file| (mhlint_repo::parent(&file.rel), file))) {
+    for (folder, files) in grouped(poses.map(|file| (parent(&file.rel), file))) {
         let right = match rig_of_pose(files.first().map_or("", |file| &file.rel)) {
             Some(rig) => match other_rig(rig, &rigs) {
                 Some(right) => renamed(folder, rig, right),
@@ -58,7 +59,7 @@ fn renamed(folder: &str, rig: &str, right: &str) -> Option<String> {
 
 /// The name that a folder without the ending of a rig is meant to have.
 fn meant(folder: &str) -> Option<String> {
-    let name = folder.rsplit('/').next().unwrap_or(folder);
+    let name = file_name(folder);
     let known = RIGS.iter().flat_map(|(rig, _)| {
         POSE_ENDINGS
             .iter()
@@ -75,7 +76,7 @@ fn meant(folder: &str) -> Option<String> {
 }
 
 fn finding(folder: &str, files: &[&FileFacts], right: Option<&str>) -> Option<Finding> {
-    let name = folder.rsplit('/').next().unwrap_or(folder);
+    let name = file_name(folder);
     let count = counted(files.len(), "pose");
     let (message, otherwise) = if folder == "poses" {
         (

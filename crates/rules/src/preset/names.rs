@@ -7,6 +7,7 @@ use mhlint_diag::{Cases, Evidence, Level, steps};
 use mhlint_formats::human_preset::HumanPreset;
 use mhlint_formats::unfit::NamedAt;
 use mhlint_repo::mpfb::{NamedTarget, View};
+use mhlint_source::file_name;
 
 /// What a finding on names says.
 pub(super) struct Named {
@@ -231,7 +232,7 @@ fn files<'p>(
         .filter(|one| !view.named.has(&section(one), &one.name))
         .collect();
     let first = *missing.first()?;
-    let file = first.name.rsplit('/').next().unwrap_or(&first.name);
+    let file = file_name(&first.name);
     let near = cx
         .suggestions
         .nearest_of_kind(file, view.named.names(&section(first)));

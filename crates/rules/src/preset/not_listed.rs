@@ -4,8 +4,9 @@ use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, nearest};
 use mhlint_discover::Kind;
 use mhlint_formats::Content;
+use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::View;
-use mhlint_repo::{FileFacts, parent};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(

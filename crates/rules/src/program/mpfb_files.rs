@@ -12,6 +12,7 @@ use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level};
 use mhlint_discover::SKIN_MAPS;
 use mhlint_repo::mpfb::lost_rigs;
 use mhlint_repo::{Layer, View};
+use mhlint_source::file_name;
 
 /// What MPFB opens by name in its own data.
 const NEEDED: [(&str, Case); 13] = [
@@ -139,10 +140,7 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
             let finding = rule
                 .in_layer(system, &is, format!("`{is}` must be named `{right}`"))
                 .key("capitals");
-            finding.help(format!(
-                "rename it to `{}`",
-                right.rsplit('/').next().unwrap_or(&right)
-            ))
+            finding.help(format!("rename it to `{}`", file_name(&right)))
         } else {
             let name = if what == "file" {
                 format!("`{rel}`")

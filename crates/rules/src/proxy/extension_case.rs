@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
 use mhlint_discover::{extension, library_extension, library_of};
 use mhlint_repo::makehuman1::View;
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "lists the asset and cannot open it")],
@@ -32,7 +33,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         };
         let name = format!("{}.{right}", file.stem());
-        let twin = layer.file(&format!("{}/{name}", mhlint_repo::parent(&file.rel)));
+        let twin = layer.file(&format!("{}/{name}", parent(&file.rel)));
         // Only what is worn, and topologies, are opened by another name than they are called.
         if twin.is_none()
             && matches!(

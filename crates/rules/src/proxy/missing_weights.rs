@@ -6,7 +6,8 @@ use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
-use mhlint_repo::{Body, ReferenceKind, Resolution, parent};
+use mhlint_repo::{Body, ReferenceKind, Resolution};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[

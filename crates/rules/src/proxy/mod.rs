@@ -57,6 +57,7 @@ mod weights_sum;
 mod z_depth;
 
 use super::Rule;
+use mhlint_source::parent;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
@@ -120,7 +121,7 @@ use mhlint_eval::measures::Measures;
 use mhlint_eval::worn::{Numbering, WornMeasure};
 use mhlint_formats::mhclo::{Clothes, Entry, Fault, FaultKind, Scale, Section};
 use mhlint_formats::target::MeshSize;
-use mhlint_repo::{Body, FileFacts, Reference, Resolution, Worn, parent};
+use mhlint_repo::{Body, FileFacts, Reference, Resolution, Worn};
 
 /// An asset of the checked layer with its text.
 #[derive(Clone, Copy)]

@@ -5,7 +5,8 @@ use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
 use mhlint_discover::Kind;
 use mhlint_formats::rig::{Identifying, LayoutFault, Rig};
 use mhlint_repo::mpfb::{View, is_listed};
-use mhlint_repo::{FileFacts, Layer, parent};
+use mhlint_repo::{FileFacts, Layer};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not list the rig")],

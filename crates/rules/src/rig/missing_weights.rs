@@ -7,6 +7,7 @@ use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::extension;
 use mhlint_repo::mpfb::{RigFile, RigPart, View, lost_rigs};
 use mhlint_repo::{FileFacts, Layer};
+use mhlint_source::{file_name, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
@@ -54,14 +55,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (rel, rigs) in by_weights {
         let Some(first) = rigs.first() else { continue };
         let names = folders
-            .entry((first.layer.path.as_str(), folder_of(rel)))
-            .or_insert_with(|| Names::of(first.layer, folder_of(rel)));
+            .entry((first.layer.path.as_str(), parent(rel)))
+            .or_insert_with(|| Names::of(first.layer, parent(rel)));
         out.extend(finding(rel, &rigs, names, cx));
     }
-}
-
-fn folder_of(rel: &str) -> &str {
-    rel.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
 
 /// The names of the files below a folder.
@@ -99,7 +96,7 @@ fn finding(
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
     let first = rigs.first()?;
-    let file_name = |rel: &str| rel.rsplit('/').next().unwrap_or(rel).to_owned();
+    let file_name = |rel: &str| file_name(rel).to_owned();
     let name = file_name(rel);
     let names: Vec<String> = rigs.iter().map(|rig| format!("`{}`", rig.name)).collect();
     let (word, need) = if names.len() == 1 {

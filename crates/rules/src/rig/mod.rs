@@ -45,7 +45,7 @@ use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, poin
 use mhlint_formats::rig::Rig;
 use mhlint_formats::unfit::Unfit;
 use mhlint_repo::mpfb::{RigFile, RigPart};
-use mhlint_repo::parent;
+use mhlint_source::parent;
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[

@@ -3,8 +3,9 @@
 use super::super::{Check, Rule, RuleCx};
 use super::has_asset;
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
+use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{RigPart, View};
-use mhlint_repo::{FileFacts, parent};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "adds the sub-rig, which moves nothing")],

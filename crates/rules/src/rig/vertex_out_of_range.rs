@@ -5,8 +5,9 @@ use super::ends::{AT_DEFAULT, ends, has_place};
 use super::{STOPS, at_bones, stops};
 use mhlint_diag::{Application::Mpfb, Case, Finding, Grouped, Level, RuleInfo, grouped};
 use mhlint_formats::rig::{End, Rig, RigBone, Strategy};
+use mhlint_repo::Worn;
 use mhlint_repo::mpfb::{RigFile, RigPart, View};
-use mhlint_repo::{Worn, parent};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::makehuman1::{CustomTarget, View};
+use mhlint_source::file_name;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "loses the value of the slider in saved models")],
@@ -49,7 +50,7 @@ fn in_folder(view: &View<'_>, folder: &str, targets: &[&CustomTarget<'_>]) -> Fi
     let finding = finding.evidence(Evidence::of_cases(
         targets.iter().map(|one| one.file.shown()),
     ));
-    let right = dashed(folder.rsplit('/').next().unwrap_or(folder));
+    let right = dashed(file_name(folder));
     let below = |one: &&CustomTarget<'_>| one.file.rel.get(folder.len()..).is_some_and(has_blank);
     let more = if targets.iter().any(below) {
         ", and what is in it without blanks, too"

@@ -8,7 +8,7 @@ use super::cause::consequence::{BY_HAND, MACRO_ROWS};
 use mhlint_diag::{Case, Element, Place, Tally};
 use mhlint_formats::target::TargetFacts;
 use mhlint_repo::makehuman2::{Base, View};
-use mhlint_repo::{Body, FileFacts, ReferenceKind, Target, parent};
+use mhlint_repo::{Body, FileFacts, ReferenceKind, Target};
 
 mod asymmetric;
 mod asymmetric_pair;
@@ -49,6 +49,7 @@ mod without_group;
 mod zero_delta;
 
 use super::Rule;
+use mhlint_source::parent;
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[

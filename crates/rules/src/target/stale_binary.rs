@@ -9,7 +9,8 @@ use mhlint_discover::Kind;
 use mhlint_formats::npz::Archive;
 use mhlint_formats::npz::targets::PackedTarget;
 use mhlint_formats::target::TargetFacts;
-use mhlint_repo::{FileFacts, Layer, makehuman1, makehuman2, parent};
+use mhlint_repo::{FileFacts, Layer, makehuman1, makehuman2};
+use mhlint_source::parent;
 
 pub(crate) static RULE: Rule =
     Check::Libraries(run, |view, _, out| out.extend(of_makehuman1(view))).rule(RuleInfo {

@@ -16,6 +16,7 @@ use self::directory::{Record, records};
 use self::name::{Name, name, shown};
 use self::unpack::{check, unpack};
 use super::{Limits, normalized};
+use crate::path::parent;
 
 /// Bytes that a path has at most, on any system that the applications run on.
 const LONGEST: u64 = 4096;
@@ -184,7 +185,7 @@ impl Pack {
         }
         let to = unpack(&self.zip, record).unwrap_or_default();
         let to = String::from_utf8_lossy(&to).into_owned();
-        let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let folder = parent(path);
         let is_inside = !to.starts_with('/') && normalized(&format!("{folder}/{to}")).is_some();
         if is_inside {
             MemberFault::Link { to }

@@ -2,8 +2,9 @@
 //! (`docs/loaders/makehuman2/libraries.md#asset-packs`).
 
 use super::super::super::Kind;
-use super::super::super::kind::{extension, is_asset_anywhere};
+use super::super::super::kind::is_asset_anywhere;
 use super::super::WORN;
+use mhlint_source::extension;
 
 /// Folders of assets besides those of what is worn; topologies have another name in packs.
 const OTHERS: [&str; 4] = ["skins", "rigs", "poses", "expressions"];

@@ -2,9 +2,9 @@
 //! (`docs/loaders/makehuman2/folders.md#lookup-order`,
 //! `docs/loaders/makehuman2/text-and-json.md#json`, `docs/loaders/makehuman2/libraries.md#scan`).
 
-use super::super::super::kind::extension;
 use super::super::{Single, WORN};
 use super::{is_filtered, is_scanned_folder};
+use mhlint_source::{depth, extension, first_name};
 
 /// Decided for the folders of base meshes, targets and rigs; everything else counts as opened.
 /// Tools of the program count as loaders.
@@ -50,7 +50,7 @@ fn is_base_file(file: &str) -> bool {
 }
 
 pub(super) fn is_scanned(rel: &str) -> bool {
-    let folder = rel.split('/').next().unwrap_or_default();
+    let folder = first_name(rel);
     let wanted = match extension(rel) {
         "mhskel" => folder == "rigs",
         "mhpose" => matches!(folder, "poses" | "expressions"),
@@ -61,20 +61,20 @@ pub(super) fn is_scanned(rel: &str) -> bool {
         "mhbin" => true,
         _ => false,
     };
-    wanted && is_scanned_folder(folder) && matches!(rel.split('/').count(), 3 | 4)
+    wanted && is_scanned_folder(folder) && matches!(depth(rel), 3 | 4)
 }
 
 /// Which folder's list shows a file, if any: the scan goes one folder below that of the base mesh,
 /// and takes suffixes as they are written.
 pub fn listed_in(rel: &str) -> Option<&str> {
-    let folder = rel.split('/').next().unwrap_or_default();
+    let folder = first_name(rel);
     let is_listed = match extension(rel) {
         "bvh" => folder == "poses",
         "mhmat" => folder == "skins",
         "meta" => false,
         _ => return is_scanned(rel).then_some(folder),
     };
-    (is_listed && matches!(rel.split('/').count(), 3 | 4)).then_some(folder)
+    (is_listed && matches!(depth(rel), 3 | 4)).then_some(folder)
 }
 
 /// The folders whose lists show files with a suffix.

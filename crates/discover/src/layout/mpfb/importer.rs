@@ -2,6 +2,7 @@
 //! (`docs/loaders/mpfb/libraries.md#check-of-a-zip`).
 
 use super::LAYOUT;
+use mhlint_source::first_name;
 
 /// Where the list of a pack lies: no zip without it is taken.
 const LISTS: &str = "packs/";
@@ -114,7 +115,7 @@ fn around<'n>(folder: &str, mut names: impl Iterator<Item = &'n str>, has_macos:
 }
 
 fn top(name: &str) -> &str {
-    name.split('/').next().unwrap_or_default()
+    first_name(name)
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use mhlint_formats::mhm::CATEGORIES;
 use mhlint_formats::mhm::lines::Line;
 use mhlint_repo::makehuman1::{SavedModel, View, uuid_of};
 use mhlint_repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution, Worn};
+use mhlint_source::{file_name, without_extension};
 
 pub(in super::super) fn faults(
     rule: &Rule,
@@ -238,8 +239,8 @@ impl<'v> Files<'v> {
             let meant = text.strip_prefix("skins/");
             return meant.is_some_and(|meant| self.of_misspelt.contains(meant));
         }
-        let name = reference.text.rsplit('/').next().unwrap_or_default();
-        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+        let name = file_name(reference.text);
+        let stem = without_extension(name);
         self.unlisted.contains(&(stem, extension(name))) || self.alike.contains(stem)
     }
 }
@@ -412,7 +413,7 @@ fn file(
         .filter(|rel| rel.ends_with(suffix))
         .filter_map(|rel| rel.get(start..));
     let near = cx.suggestions.nearest_file(reference.text, names);
-    let name = reference.text.rsplit('/').next().unwrap_or_default();
+    let name = file_name(reference.text);
     let elsewhere = files.by_name.get(name).filter(|_| is_skin);
     let help = match elsewhere.filter(|_| near.is_none()) {
         Some(file) => format!(

@@ -7,7 +7,8 @@ use super::own;
 use mhlint_diag::{Finding, Place};
 use mhlint_formats::mhm::{CATEGORIES, Word};
 use mhlint_repo::makehuman1::{SavedModel, View, material, uuid_of};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
+use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use mhlint_source::parent;
 
 pub(in super::super) fn faults(
     rule: &Rule,

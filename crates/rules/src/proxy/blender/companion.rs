@@ -4,7 +4,8 @@
 use super::super::{Text, texts};
 use crate::Rule;
 use mhlint_diag::{Finding, Place};
-use mhlint_repo::{Body, FileFacts, parent};
+use mhlint_repo::{Body, FileFacts};
+use mhlint_source::parent;
 
 /// What an asset names for its weights.
 struct Named<'v> {

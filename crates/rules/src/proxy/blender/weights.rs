@@ -7,7 +7,8 @@ use super::super::super::cause::groups::{self, Groups};
 use super::super::super::{Rule, RuleCx, did_you_mean};
 use mhlint_diag::{Evidence, Finding, Place};
 use mhlint_formats::mhw::{BoneWeights, Weights};
-use mhlint_repo::{Body, BodyWeights, FileFacts, WeightsUse, parent};
+use mhlint_repo::{Body, BodyWeights, FileFacts, WeightsUse};
+use mhlint_source::parent;
 
 /// Weights for bones that no rig has, or that no rig has all of. Nothing where a rig cannot be
 /// read.
