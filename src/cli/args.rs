@@ -160,7 +160,12 @@ pub(super) struct CheckArgs {
     /// One of makehuman2, makehuman1, mpfb, perhaps in a version: makehuman1@1.0 to @1.3,
     /// makehuman2@2024, @2025, @2026-08-05, @2026-08-20, mpfb@2.0.5 to @2.0.17. Without one, the
     /// version that the data show, else the newest.
-    #[arg(long = "app", value_name = "APPLICATION", value_parser = application, help_heading = "Input")]
+    #[arg(
+        long = "app",
+        value_name = "APPLICATION",
+        value_parser = application,
+        help_heading = "Input",
+    )]
     pub(super) applications: Vec<Edition>,
     /// Report only on this base mesh; can be repeated.
     ///
@@ -193,7 +198,13 @@ pub(super) struct CheckArgs {
     /// Change the level of a rule, family or glob; can be repeated.
     ///
     /// The level is one of error, warning, info, off.
-    #[arg(long = "level", value_name = "RULE=LEVEL", value_parser = level_setting, help_heading = "Rules", hide_short_help = true)]
+    #[arg(
+        long = "level",
+        value_name = "RULE=LEVEL",
+        value_parser = level_setting,
+        help_heading = "Rules",
+        hide_short_help = true,
+    )]
     pub(super) levels: Vec<(String, Option<Level>)>,
     /// Skip all rules that need evaluation.
     #[arg(long, help_heading = "Rules")]
@@ -201,7 +212,14 @@ pub(super) struct CheckArgs {
     /// Number of random slider settings to try (at most 100000).
     ///
     /// They are tried in addition to the systematic ones.
-    #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples, help_heading = "Rules", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        conflicts_with = "no_eval",
+        value_parser = samples,
+        help_heading = "Rules",
+        hide_short_help = true,
+    )]
     pub(super) samples: Option<usize>,
     /// Try every corner of the slider space.
     #[arg(
@@ -259,13 +277,23 @@ pub(super) struct CheckArgs {
     /// Write the current findings to the baseline.
     ///
     /// Findings that no longer occur are removed from it.
-    #[arg(long, conflicts_with_all = ["fixing", "staged", "since", "against"], help_heading = "Only new findings", hide_short_help = true)]
+    #[arg(
+        long,
+        conflicts_with_all = ["fixing", "staged", "since", "against"],
+        help_heading = "Only new findings",
+        hide_short_help = true
+    )]
     pub(super) write_baseline: bool,
     /// Report format, and file to write it to; can be repeated.
     ///
     /// One of human, concise, json, sarif, github, gitlab, junit, markdown, html; to standard
     /// output unless a FILE is named.
-    #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse, help_heading = "Output")]
+    #[arg(
+        long = "report",
+        value_name = "FORMAT[=FILE]",
+        value_parser = Target::parse,
+        help_heading = "Output",
+    )]
     pub(super) reports: Vec<Target>,
     /// Show every finding in full, including infos.
     ///

@@ -75,7 +75,10 @@ fn shape(shape: Shape, rules: &[&RuleInfo]) -> Value {
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Text | Shape::Path | Shape::Glob => json!({ "type": "string" }),
         Shape::Paths => {
-            json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
+            json!({ "anyOf": [
+                { "type": "string" },
+                { "type": "array", "items": { "type": "string" } },
+            ] })
         }
         Shape::Globs | Shape::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Shape::Rule => rule,
@@ -100,15 +103,19 @@ fn options(rules: &[&RuleInfo]) -> Value {
     let with_options = rules.iter().filter(|rule| !rule.options.is_empty());
     let properties = with_options.map(|rule| {
         let options = rule.options.iter().map(|option| {
-            let value =
-                json!({ "type": "number", "minimum": 0, "default": option.default, "description": option.docs });
+            let value = json!({
+                "type": "number", "minimum": 0,
+                "default": option.default, "description": option.docs,
+            });
             (option.name.to_owned(), value)
         });
         let options: Map<String, Value> = options.collect();
         let table = json!({
-            "type": "object", "description": rule.summary, "properties": options, "additionalProperties": false
+            "type": "object", "description": rule.summary,
+            "properties": options, "additionalProperties": false
         });
         (rule.id.to_owned(), table)
     });
-    json!({ "type": "object", "properties": properties.collect::<Map<String, Value>>(), "additionalProperties": false })
+    let properties: Map<String, Value> = properties.collect();
+    json!({ "type": "object", "properties": properties, "additionalProperties": false })
 }

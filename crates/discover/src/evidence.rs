@@ -141,7 +141,10 @@ fn parts(path: &str) -> Vec<&str> {
 }
 
 fn has_base_folders<'f>(files: &mut impl Iterator<Item = &'f str>) -> bool {
-    files.any(|file| matches!(parts(file).as_slice(), [library, "hm08" | "mh2bot", ..] if WORN.contains(library)))
+    files.any(|file| match parts(file).as_slice() {
+        [library, "hm08" | "mh2bot", ..] => WORN.contains(library),
+        _ => false,
+    })
 }
 
 impl Root<'_> {
@@ -237,7 +240,10 @@ fn base_of_many_libraries(root: &Root<'_>) -> Option<String> {
 fn of_makehuman1(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
     // MPFB has `3dobjs/base.obj` and this folder as well, but its targets are packed.
-    let is_target = |file: &[&str]| matches!(file, ["targets", "macrodetails", .., name] if extension(name) == "target");
+    let is_target = |file: &[&str]| match file {
+        ["targets", "macrodetails", .., name] => extension(name) == "target",
+        _ => false,
+    };
     if root.has("3dobjs/base.obj") && root.any(is_target) {
         certain.push("3dobjs/base.obj with targets/macrodetails/".to_owned());
     }
@@ -269,7 +275,10 @@ fn of_makehuman1(root: &Root<'_>) -> Signs {
         root.any(|file| file.last().is_some_and(|name| extension(name) == "meta"))
             .then_some(META),
     );
-    let is_asset = |file: &[&str]| matches!(file, [library, _, name] if WORN.contains(library) && extension(name) == "mhclo");
+    let is_asset = |file: &[&str]| match file {
+        [library, _, name] => WORN.contains(library) && extension(name) == "mhclo",
+        _ => false,
+    };
     others.extend(root.any(is_asset).then_some(DIRECTLY_IN_LIBRARIES));
     (certain, others)
 }

@@ -106,8 +106,8 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// Whether a folder of users that two applications certainly share is left to the other one: its
-    /// data are at hand, and nobody asked for this one or has its data.
+    /// Whether a folder of users that two applications certainly share is left to the other one:
+    /// its data are at hand, and nobody asked for this one or has its data.
     fn is_left_to_partner(&self, root: &DataRoot) -> bool {
         let has_data = |one| self.strong.has_data(self.meant, one);
         let is_partner = |one: &Application| contest::share_users(*one, root.application);

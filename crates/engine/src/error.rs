@@ -136,8 +136,8 @@ impl fmt::Display for Error {
             }
             Self::SeveralBases { file } => write!(
                 f,
-                "`{file}` is not in a data folder and is checked for one base mesh only; use `--base` once, or check \
-                 such files in a separate run"
+                "`{file}` is not in a data folder and is checked for one base mesh only; use \
+                 `--base` once, or check such files in a separate run"
             ),
             Self::FixPack { path } => write!(
                 f,
@@ -187,11 +187,15 @@ impl fmt::Display for SelectorFault {
             Self::NoRule { nearest } => write!(f, "matches no rule; {}", meant(*nearest)),
             Self::Several => f.write_str("matches no rule; give the option once for each rule"),
             Self::EmptySelect { place, nearest } => {
-                write!(f, "matches no rule, so `select` in {place} selects nothing; {}", meant(*nearest))
+                write!(
+                    f,
+                    "matches no rule, so `select` in {place} selects nothing; {}",
+                    meant(*nearest)
+                )
             }
             Self::Safety => f.write_str(
-                "cannot be ignored or lowered: it protects against running foreign code, leaving the data folder or \
-                 filling the memory",
+                "cannot be ignored or lowered: it protects against running foreign code, leaving \
+                 the data folder or filling the memory",
             ),
         }
     }
@@ -227,8 +231,9 @@ impl fmt::Display for BaselineFault {
             }
             Self::Foreign { first } => write!(
                 f,
-                "seems to belong to another repository: none of its paths exist here, neither `{first}` nor its \
-                 folder; use another file with `--baseline`, or remove this one and {anew}"
+                "seems to belong to another repository: none of its paths exist here, neither \
+                 `{first}` nor its folder; use another file with `--baseline`, or remove this one \
+                 and {anew}"
             ),
         }
     }

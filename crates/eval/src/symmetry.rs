@@ -151,7 +151,10 @@ impl MirrorMap {
         let score = |candidate: u32| {
             step();
             let joined = neighbours.of(candidate);
-            let mirrored = |n: &&u32| matches!(self.of(**n), Mirror::Partner(m) if joined.binary_search(&m).is_ok());
+            let mirrored = |n: &&u32| match self.of(**n) {
+                Mirror::Partner(m) => joined.binary_search(&m).is_ok(),
+                _ => false,
+            };
             neighbours.of(vertex).iter().filter(mirrored).count()
         };
         let (mut best, mut most, mut tie) = (None, 0, false);

@@ -212,7 +212,10 @@ pub fn reduction_json(reduction: &Reduction, limit: usize) -> Value {
     let worst = reduction
         .worst
         .map(|(vertex, share)| json!({ "vertex": vertex, "share": rounded(f64::from(share)) }));
-    json!({ "max_influences": limit, "most_before": reduction.most, "vertices_reduced": reduction.reduced.len(), "worst": worst })
+    json!({
+        "max_influences": limit, "most_before": reduction.most,
+        "vertices_reduced": reduction.reduced.len(), "worst": worst,
+    })
 }
 
 #[cfg(test)]

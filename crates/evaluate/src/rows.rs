@@ -134,8 +134,8 @@ impl Evaluation {
     ) -> Result<Vec<Row>, Error> {
         if self.application != Application::Makehuman1 {
             let reason = format!(
-                "{} takes `{name}` from this archive, which mhlint cannot evaluate; move the archive away to evaluate the \
-                 text file",
+                "{} takes `{name}` from this archive, which mhlint cannot evaluate; move the \
+                 archive away to evaluate the text file",
                 self.application,
             );
             return Err(Error::file(path, reason));

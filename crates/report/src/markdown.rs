@@ -126,8 +126,8 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
         numbers = format!("{numbers} {number} |");
     }
     let table = format!(
-        "## mhlint: {}\n\n{}\n\n| errors | warnings | infos |{title} files |\n|---:|---:|---:|{rule}---:|\n\
-        | {} | {} | {} |{numbers} {} |\n",
+        "## mhlint: {}\n\n{}\n\n| errors | warnings | infos |{title} files \
+         |\n|---:|---:|---:|{rule}---:|\n| {} | {} | {} |{numbers} {} |\n",
         if view.pass { "passed" } else { "failed" },
         inline(&verdict::words(outcome, view)),
         summary.error,

@@ -30,7 +30,10 @@ pub fn printable(text: &str) -> String {
 
 /// Characters that turn the direction of writing and so can make a name look like another one.
 fn is_direction(character: char) -> bool {
-    matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    matches!(
+        character,
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+    )
 }
 
 /// Code points that neither XML nor HTML accepts, and the byte order mark.

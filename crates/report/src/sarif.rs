@@ -129,6 +129,8 @@ fn descriptor(rule: &RuleInfo) -> Value {
         .map(|(title, effect)| format!("- **{title}:** {effect}"))
         .collect();
     let own = rule.documentation();
+    let first = own.split("\n\n").next().filter(|text| !text.is_empty());
+    let described = first.unwrap_or(rule.summary);
     let docs = [&*own, &plain.join("\n")].join("\n\n");
     let markdown = [
         &*own,
@@ -138,7 +140,7 @@ fn descriptor(rule: &RuleInfo) -> Value {
     json!({
         "id": rule.id,
         "shortDescription": { "text": text(rule.summary) },
-        "fullDescription": { "text": text(own.split("\n\n").next().filter(|d| !d.is_empty()).unwrap_or(rule.summary)) },
+        "fullDescription": { "text": text(described) },
         "help": { "text": text(docs.trim()), "markdown": braces(markdown.join("\n\n").trim()) },
         "defaultConfiguration": { "level": level(rule.level) },
         "properties": { "tags": [rule.family()], "problem.severity": severity(rule.level) },
@@ -190,7 +192,10 @@ fn replacement(replaced: &Replaced) -> Value {
         text,
         ..
     } = replaced;
-    let region = json!({ "startLine": line, "startColumn": column, "endLine": end_line, "endColumn": end_column });
+    let region = json!({
+        "startLine": line, "startColumn": column,
+        "endLine": end_line, "endColumn": end_column,
+    });
     if text.is_empty() {
         return json!({ "deletedRegion": region });
     }

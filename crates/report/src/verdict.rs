@@ -241,8 +241,8 @@ pub fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String {
                 .to_owned()
         }
         None => format!(
-            "no data of {} found; name the data folder ({}); folders whose names begin with a dot are searched only if PATH \
-             names them",
+            "no data of {} found; name the data folder ({}); folders whose names begin with a dot \
+             are searched only if PATH names them",
             titles(&outcome.looked_for),
             signs(&outcome.looked_for)
         ),

@@ -155,7 +155,11 @@ pub(in crate::cli) struct WeightsArgs {
     )]
     pub(super) app: LoadedBy,
     /// Rig of MPFB (rig.*.json): load the weights as MPFB does, into vertex groups of its bones.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["skeleton", "max_influences", "remap_to", "output"])]
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["skeleton", "max_influences", "remap_to", "output"],
+    )]
     pub(super) rig: Option<PathBuf>,
     /// Number of vertices of the mesh.
     ///

@@ -161,8 +161,8 @@ impl<'t> Data<'t> {
             .collect()
     }
 
-    /// The repositories with these numbers, with their numbers. A root lies over that of the systems
-    /// that has data of the same application.
+    /// The repositories with these numbers, with their numbers. A root lies over that of the
+    /// systems that has data of the same application.
     pub(crate) fn stacks_of<'a>(
         &'a self,
         numbers: impl IntoIterator<Item = usize>,

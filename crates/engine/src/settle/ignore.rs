@@ -180,9 +180,19 @@ impl<'c> Ignores<'c> {
             })
             .collect();
         uses.extend(self.inline.iter().map(|comment| {
-            let is_used =
-                matches!(comment.place, Place::Line(line) if self.used.contains(&(comment.path.clone(), line)));
-            IgnoreUse { state: if is_used { IgnoreState::Used } else { comment.state.clone() }, ..comment.clone() }
+            let is_used = match comment.place {
+                Place::Line(line) => self.used.contains(&(comment.path.clone(), line)),
+                _ => false,
+            };
+            let state = if is_used {
+                IgnoreState::Used
+            } else {
+                comment.state.clone()
+            };
+            IgnoreUse {
+                state,
+                ..comment.clone()
+            }
         }));
         uses
     }

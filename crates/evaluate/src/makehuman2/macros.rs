@@ -162,13 +162,20 @@ pub fn macros_json(
         Fate::BelowThreshold => "below threshold",
     };
     let combinations = result.combinations.iter().map(|c| {
-        let target = if let Fate::Applied(target) = c.fate { Some(evaluation.macro_target(target)) } else { None };
-        json!({ "macrodef": c.macrodef, "macrodef_name": title(c.macrodef), "name": table.name(c.macrodef, c.number),
+        let target = match c.fate {
+            Fate::Applied(target) => Some(evaluation.macro_target(target)),
+            _ => None,
+        };
+        json!({ "macrodef": c.macrodef, "macrodef_name": title(c.macrodef),
+            "name": table.name(c.macrodef, c.number),
             "factor": rounded(c.factor), "fate": fate(c.fate), "target": target })
     });
     let dropped = result.dropped.iter().map(|dropped| {
-        let component = macrodefs.get(dropped.macrodef).and_then(|macrodef| macrodef.components.get(dropped.place));
-        json!({ "macrodef": dropped.macrodef, "macrodef_name": title(dropped.macrodef), "component": component,
+        let component = macrodefs
+            .get(dropped.macrodef)
+            .and_then(|macrodef| macrodef.components.get(dropped.place));
+        json!({ "macrodef": dropped.macrodef, "macrodef_name": title(dropped.macrodef),
+            "component": component,
             "reason": dropped.reason.to_string() })
     });
     outputs.insert("combinations".to_owned(), combinations.collect());

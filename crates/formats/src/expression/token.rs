@@ -270,8 +270,9 @@ impl<'a> Lexer<'a> {
                 "contains an imaginary number",
             ));
         }
-        let leading_zero = matches!(token, Some(Token::Number(value, true)) if radix == 10 && value != 0.0)
-            && written.starts_with('0');
+        let is_whole =
+            matches!(token, Some(Token::Number(value, true)) if radix == 10 && value != 0.0);
+        let leading_zero = is_whole && written.starts_with('0');
         let misplaced = written.contains("__") || written.ends_with('_') || written.contains("_.");
         match token {
             Some(token) if !leading_zero && !misplaced && self.ends_cleanly() => Ok(token),

@@ -246,8 +246,8 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             ("ik_type", Wants::Word(&["COPY_POSE", "DISTANCE"])),
             ("limit_mode", Wants::Word(INSIDE)),
             (
-                "lock_location_x lock_location_y lock_location_z lock_rotation_x lock_rotation_y lock_rotation_z \
-                 use_location use_rotation use_stretch use_tail",
+                "lock_location_x lock_location_y lock_location_z lock_rotation_x lock_rotation_y \
+                 lock_rotation_z use_location use_rotation use_stretch use_tail",
                 Wants::Bool,
             ),
             ("pole_subtarget", Wants::Text),
@@ -437,8 +437,8 @@ const INSIDE: &[&str] = &[
 const CHILD_OF: Properties = &[
     BONE,
     (
-        "set_inverse_pending use_location_x use_location_y use_location_z use_rotation_x use_rotation_y use_rotation_z \
-         use_scale_x use_scale_y use_scale_z",
+        "set_inverse_pending use_location_x use_location_y use_location_z use_rotation_x \
+         use_rotation_y use_rotation_z use_scale_x use_scale_y use_scale_z",
         Wants::Bool,
     ),
     ("inverse_matrix", Wants::Nothing),
@@ -447,14 +447,12 @@ const CHILD_OF: Properties = &[
 const TRANSFORM: Properties = &[
     BONE,
     (
-        "from_max_x from_max_y from_max_z from_min_x from_min_y from_min_z from_max_x_rot from_max_y_rot from_max_z_rot \
-         from_min_x_rot from_min_y_rot from_min_z_rot from_max_x_scale from_max_y_scale \
-         from_max_z_scale \
-         from_min_x_scale from_min_y_scale from_min_z_scale to_max_x to_max_y to_max_z to_min_x \
-         to_min_y to_min_z \
-         to_max_x_rot to_max_y_rot to_max_z_rot to_min_x_rot to_min_y_rot to_min_z_rot \
-         to_max_x_scale to_max_y_scale \
-         to_max_z_scale to_min_x_scale to_min_y_scale to_min_z_scale",
+        "from_max_x from_max_y from_max_z from_min_x from_min_y from_min_z from_max_x_rot \
+         from_max_y_rot from_max_z_rot from_min_x_rot from_min_y_rot from_min_z_rot \
+         from_max_x_scale from_max_y_scale from_max_z_scale from_min_x_scale from_min_y_scale \
+         from_min_z_scale to_max_x to_max_y to_max_z to_min_x to_min_y to_min_z to_max_x_rot \
+         to_max_y_rot to_max_z_rot to_min_x_rot to_min_y_rot to_min_z_rot to_max_x_scale \
+         to_max_y_scale to_max_z_scale to_min_x_scale to_min_y_scale to_min_z_scale",
         Wants::Number,
     ),
     ("from_rotation_mode", Wants::Word(ROTATIONS)),

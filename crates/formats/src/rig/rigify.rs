@@ -75,11 +75,10 @@ const PARAMETERS: Properties = &[
         Wants::Number,
     ),
     (
-        "auto_align_extremity connect_chain extra_ik_toe extra_toe_roll ik_local_location make_control make_deform \
-         make_widget make_custom_pivot make_ik_wrist_pivot make_fk_controls make_extra_ik_control \
-         relink_constraints \
-         skin_chain_falloff_scale skin_glue_tail_reparent skin_glue_use_tail \
-         skin_secondary_layers_extra",
+        "auto_align_extremity connect_chain extra_ik_toe extra_toe_roll ik_local_location \
+         make_control make_deform make_widget make_custom_pivot make_ik_wrist_pivot \
+         make_fk_controls make_extra_ik_control relink_constraints skin_chain_falloff_scale \
+         skin_glue_tail_reparent skin_glue_use_tail skin_secondary_layers_extra",
         Wants::Bool,
     ),
     (

@@ -144,7 +144,9 @@ fn can_tell(base: &Base<'_>, folder: TargetFolder<'_>) -> bool {
         || base.macros.contarget.is_refused()
         || base.macros.is_broken();
     !broken
-        && matches!((own_sliders, sliders_in_use), (Some(own), Some(used)) if std::ptr::eq(own, used))
+        && own_sliders
+            .zip(sliders_in_use)
+            .is_some_and(|(own, used)| std::ptr::eq(own, used))
 }
 
 impl Base<'_> {

@@ -44,34 +44,36 @@ use Reads::{Colour, File, Flag, Number, Parameter, Shader, Text};
 
 #[rustfmt::skip]
 static KEYS: [Key; 58] = [
-    of(Text, "tag"), of(Text, "name"), of(Text, "description"), of(Text, "uuid"), of(Text, "license"),
-    of(Text, "homepage"), of(Text, "author"),
-    of(File, "diffuseTexture"), of(File, "bumpmapTexture"), of(File, "normalmapTexture"),
-    of(File, "displacementmapTexture"), of(File, "specularmapTexture"), of(File, "transmissionmapTexture"),
+    of(Text, "tag"), of(Text, "name"), of(Text, "description"), of(Text, "uuid"),
+    of(Text, "license"), of(Text, "homepage"), of(Text, "author"), of(File, "diffuseTexture"),
+    of(File, "bumpmapTexture"), of(File, "normalmapTexture"), of(File, "displacementmapTexture"),
+    of(File, "specularmapTexture"), of(File, "transmissionmapTexture"),
     of(File, "opacitymapTexture"), of(File, "roughnessmapTexture"), of(File, "metallicmapTexture"),
-    of(File, "aomapTexture"), of(File, "emissionColorMapTexture"), of(File, "emissionStrengthMapTexture"),
-    of(File, "subsurfaceColorMapTexture"), of(File, "subsurfaceStrengthMapTexture"), of(File, "litsphereTexture"),
-    of(File, "blendMaterial"),
-    of(Number, "diffuseIntensity"), of(Number, "bumpmapIntensity"), of(Number, "normalmapIntensity"),
-    of(Number, "displacementMapIntensity"), of(Number, "specularmapIntensity"), of(Number, "opacitymapIntensity"),
-    of(Number, "aomapIntensity"), of(Number, "emissionIntensity"), of(Number, "subsurfaceIntensity"),
-    of(Number, "sssRScale"), of(Number, "sssGScale"), of(Number, "sssBScale"), of(Number, "metallic"),
-    of(Number, "ior"), of(Number, "roughness"), of(Number, "shininess"), of(Number, "opacity"),
-    of(Number, "translucency"),
+    of(File, "aomapTexture"), of(File, "emissionColorMapTexture"),
+    of(File, "emissionStrengthMapTexture"), of(File, "subsurfaceColorMapTexture"),
+    of(File, "subsurfaceStrengthMapTexture"), of(File, "litsphereTexture"),
+    of(File, "blendMaterial"), of(Number, "diffuseIntensity"), of(Number, "bumpmapIntensity"),
+    of(Number, "normalmapIntensity"), of(Number, "displacementMapIntensity"),
+    of(Number, "specularmapIntensity"), of(Number, "opacitymapIntensity"),
+    of(Number, "aomapIntensity"), of(Number, "emissionIntensity"),
+    of(Number, "subsurfaceIntensity"), of(Number, "sssRScale"), of(Number, "sssGScale"),
+    of(Number, "sssBScale"), of(Number, "metallic"), of(Number, "ior"), of(Number, "roughness"),
+    of(Number, "shininess"), of(Number, "opacity"), of(Number, "translucency"),
     of(Flag, "sssEnabled"), of(Flag, "shadeless"), of(Flag, "wireframe"), of(Flag, "transparent"),
-    of(Flag, "alphaToCoverage"), of(Flag, "backfaceCull"), of(Flag, "depthless"), of(Flag, "castShadows"),
-    of(Flag, "receiveShadows"), of(Flag, "autoBlendSkin"),
-    of(Colour, "diffuseColor"), of(Colour, "specularColor"), of(Colour, "emissiveColor"), of(Colour, "ambientColor"),
-    of(Colour, "viewPortColor"),
-    of(Parameter, "shaderParam"), of(Shader, "shader"),
+    of(Flag, "alphaToCoverage"), of(Flag, "backfaceCull"), of(Flag, "depthless"),
+    of(Flag, "castShadows"), of(Flag, "receiveShadows"), of(Flag, "autoBlendSkin"),
+    of(Colour, "diffuseColor"), of(Colour, "specularColor"), of(Colour, "emissiveColor"),
+    of(Colour, "ambientColor"), of(Colour, "viewPortColor"), of(Parameter, "shaderParam"),
+    of(Shader, "shader"),
 ];
 
 /// Other words for the maps, in front of `Texture`.
 #[rustfmt::skip]
 const ALIASES: [(&str, &str); 11] = [
-    ("diffusemap", "diffuse"), ("albedo", "diffuse"), ("albedomap", "diffuse"), ("basecolor", "diffuse"),
-    ("basecolormap", "diffuse"), ("bump", "bumpmap"), ("opacity", "opacitymap"), ("emissive", "emissionColorMap"),
-    ("emission", "emissionColorMap"), ("sss", "subsurfaceColorMap"), ("sssmap", "subsurfaceColorMap"),
+    ("diffusemap", "diffuse"), ("albedo", "diffuse"), ("albedomap", "diffuse"),
+    ("basecolor", "diffuse"), ("basecolormap", "diffuse"), ("bump", "bumpmap"),
+    ("opacity", "opacitymap"), ("emissive", "emissionColorMap"), ("emission", "emissionColorMap"),
+    ("sss", "subsurfaceColorMap"), ("sssmap", "subsurfaceColorMap"),
 ];
 
 /// The keyword that a word stands for.

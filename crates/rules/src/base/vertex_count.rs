@@ -92,8 +92,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         .key("numverts")
         .help(if mesh_file.kind == Kind::MeshArchive {
             format!(
-                "rebuild base.mhbin with compile_meshes.py if it is out of date; otherwise write `\"numverts\": \
-                 {vertices}` and rebuild the binary assets"
+                "rebuild base.mhbin with compile_meshes.py if it is out of date; otherwise write \
+                 `\"numverts\": {vertices}` and rebuild the binary assets"
             )
         } else {
             format!(
@@ -101,11 +101,15 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                     and rebuild the binary assets"
             )
         })
-        .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
+        .related(
+            mesh_file.path.clone(),
+            Place::File,
+            format!("has {vertices} vertices"),
+        );
     out.push(if is_larger {
         finding.level(Level::Warning).effect(
-            "builds binary assets with delete masks that are too long; crashes with `ValueError` when they are worn \
-             with others",
+            "builds binary assets with delete masks that are too long; crashes with `ValueError` \
+             when they are worn with others",
         )
     } else {
         finding
@@ -142,8 +146,8 @@ fn foreign(
         }
     };
     let help = if is_packed {
-        "rebuild the archive with compile_meshes.py from the mesh that the other data is for, or delete it if base.obj \
-         is that mesh"
+        "rebuild the archive with compile_meshes.py from the mesh that the other data is for, or \
+         delete it if base.obj is that mesh"
     } else {
         "restore the original mesh, or export it again with the same vertices in the same order"
     };

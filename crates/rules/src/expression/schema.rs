@@ -40,8 +40,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             (&expression.no_numbers, NO_UNIT),
             (
                 &expression.out_of_range,
-                "does not limit the strength: above 1 the unit is at its full strength and outweighs other expressions, below 0 \
-                 it does nothing",
+                "does not limit the strength: above 1 the unit is at its full strength and \
+                 outweighs other expressions, below 0 it does nothing",
             ),
         ] {
             let own = findings(&RULE, file, faults, cx).map(|(_, finding)| finding);

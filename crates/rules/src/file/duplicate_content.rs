@@ -153,8 +153,8 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
     match (found.next(), found.count()) {
         // With another target the slider would have another name in saved models.
         (Some(reference), _) if is_of_slider(reference.kind) => format!(
-            "keep the files if `{}` in {} is meant to have the same shape, because saved models find a slider by the \
-             name of its target; otherwise give it its own shape",
+            "keep the files if `{}` in {} is meant to have the same shape, because saved models \
+             find a slider by the name of its target; otherwise give it its own shape",
             reference.owner,
             reference.from.file_name()
         ),

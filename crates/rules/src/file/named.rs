@@ -128,5 +128,8 @@ pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>)
 /// Whether a reference names its file in another form of accented letters, and not just with other
 /// capitals.
 pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
-    matches!(reference.resolution, Resolution::CaseOnly(file) if composed(&reference.rel) == composed(&file.rel))
+    match reference.resolution {
+        Resolution::CaseOnly(file) => composed(&reference.rel) == composed(&file.rel),
+        _ => false,
+    }
 }

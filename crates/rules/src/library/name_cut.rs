@@ -33,8 +33,8 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const UUID: Case = &[(
     Makehuman2,
     Level::Warning,
-    "reads the first word at the first start and the whole uuid from the second on: saved models lose the material chosen \
-        for the asset",
+    "reads the first word at the first start and the whole uuid from the second on: saved models \
+     lose the material chosen for the asset",
 )];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -227,8 +227,8 @@ pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
             "put the clothes on, and save a model (`.mhm`) in place of the costume",
         ),
         Sort::Expression => {
-            let help = "make the expression again in the mixer of MakeHuman 1, which saves `.mhpose`: another suffix or folder \
-                does not help";
+            let help = "make the expression again in the mixer of MakeHuman 1, which saves \
+                `.mhpose`: another suffix or folder does not help";
             new("expression", EXPRESSIONS, help)
         }
         Sort::Pose => new(
@@ -237,8 +237,8 @@ pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
             "make a BVH of the pose: another suffix does not help",
         ),
         Sort::Rig => {
-            let help = "use a rig of today, such as `default.mhskel` in place of `basic.json` and `cmu_mb.mhskel` in place of \
-                `game.json`: another suffix does not help";
+            let help = "use a rig of today, such as `default.mhskel` in place of `basic.json` and \
+                `cmu_mb.mhskel` in place of `game.json`: another suffix does not help";
             new("rig", RIGS, help)
         }
         Sort::VertexGroups => new(

@@ -10,8 +10,8 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "takes the weights by position, so that values get the weights of other corners; crashes with `TypeError` if \
-         `sum` names a plain slider",
+        "takes the weights by position, so that values get the weights of other corners; crashes \
+         with `TypeError` if `sum` names a plain slider",
     )],
     docs: include_str!("barycentric_mismatch.md").trim_ascii_end(),
     ..RuleInfo::new(

@@ -61,7 +61,14 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let text = &first.reference.text;
         let finding = match slider_of(view, target) {
             Some(slider) => RULE
-                .at(file, first.place(), format!("`{text}` {what}{more}; slider `{}` also uses it", slider.owner))
+                .at(
+                    file,
+                    first.place(),
+                    format!(
+                        "`{text}` {what}{more}; slider `{}` also uses it",
+                        slider.owner
+                    ),
+                )
                 .level(Level::Warning)
                 .effect("loads the target, but the slider moves nothing")
                 .help("save the intended shape in the file; the macro could use `null`, but the \

@@ -12,12 +12,16 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
-         it with `AttributeError` as soon as the sliders reach its combination",
+        "uses the folder of the previous macrodef, or crashes at start in the first one; a missing \
+         target crashes it with `AttributeError` as soon as the sliders reach its combination",
     )],
     docs: include_str!("folder_missing.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or \
-        does not exist")
+    ..RuleInfo::new(
+        "macro-folder-missing",
+        Level::Error,
+        "`folder` of a macrodef is missing, or \
+        does not exist",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

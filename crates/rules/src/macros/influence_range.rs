@@ -9,12 +9,16 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "ignores the index; with no valid index left, opening the slider hides all macro shapes until another \
-         macro slider moves",
+        "ignores the index; with no valid index left, opening the slider hides all macro shapes \
+         until another macro slider moves",
     )],
     docs: include_str!("influence_range.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index \
-        without a macrodef")
+    ..RuleInfo::new(
+        "macro-influence-range",
+        Level::Warning,
+        "`macro_influence` lists an index \
+        without a macrodef",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -10,13 +10,17 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "logs a line and crashes with `AttributeError` as soon as the sliders reach the combination, or at start \
-         if the default character uses it",
+        "logs a line and crashes with `AttributeError` as soon as the sliders reach the \
+         combination, or at start if the default character uses it",
     )],
     docs: include_str!("missing_target.md").trim_ascii_end(),
     counts: "combinations",
-    ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does \
-        not exist")
+    ..RuleInfo::new(
+        "macro-missing-target",
+        Level::Error,
+        "a combination names a target that does \
+        not exist",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

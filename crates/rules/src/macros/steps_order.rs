@@ -10,12 +10,16 @@ use std::cmp::Ordering;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `ZeroDivisionError` when the slider is at or below two equal first steps; with other steps \
-         out of order, it uses the wrong values",
+        "crashes with `ZeroDivisionError` when the slider is at or below two equal first steps; \
+         with other steps out of order, it uses the wrong values",
     )],
     docs: include_str!("steps_order.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase \
-        strictly")
+    ..RuleInfo::new(
+        "macro-steps-order",
+        Level::Error,
+        "`steps` of a component do not increase \
+        strictly",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

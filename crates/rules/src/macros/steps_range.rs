@@ -10,12 +10,16 @@ use std::cmp::Ordering;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "applies the first value with more than its full weight below the first step, and drops the macrodef above \
-         the last",
+        "applies the first value with more than its full weight below the first step, and drops \
+         the macrodef above the last",
     )],
     docs: include_str!("steps_range.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from \
-        0 to 1")
+    ..RuleInfo::new(
+        "macro-steps-range",
+        Level::Warning,
+        "`steps` of a component do not run from \
+        0 to 1",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -10,8 +10,8 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `IndexError` if `sum` is shorter than `values`, and with `TypeError` at a fourth value; \
-         never reads corners without a value",
+        "crashes with `IndexError` if `sum` is shorter than `values`, and with `TypeError` at a \
+         fourth value; never reads corners without a value",
     )],
     docs: include_str!("sum_arity.md").trim_ascii_end(),
     ..RuleInfo::new(

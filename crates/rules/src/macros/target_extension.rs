@@ -18,19 +18,23 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[(
         Makehuman2,
-        "adds `.target`, does not find the file and crashes with `AttributeError` as soon as the sliders reach the \
-         combination",
+        "adds `.target`, does not find the file and crashes with `AttributeError` as soon as the \
+         sliders reach the combination",
     )],
     docs: include_str!("target_extension.md").trim_ascii_end(),
     counts: "entries",
-    ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or \
-        is empty")
+    ..RuleInfo::new(
+        "macro-target-extension",
+        Level::Error,
+        "`t` ends in `.target` or `.gz`, or \
+        is empty",
+    )
 });
 
-const SUFFIXED: &str = "looks for `{}.target`, does not find it and crashes with `AttributeError` as soon as the \
-    sliders reach the combination";
-const NAMELESS: &str = "looks for a file named `{}.target`, does not find it and crashes with `AttributeError` as soon \
-    as the sliders reach the combination";
+const SUFFIXED: &str = "looks for `{}.target`, does not find it and crashes with `AttributeError` \
+    as soon as the sliders reach the combination";
+const NAMELESS: &str = "looks for a file named `{}.target`, does not find it and crashes with \
+    `AttributeError` as soon as the sliders reach the combination";
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else {

@@ -37,8 +37,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let count = macrodef.components.len();
         let message = format!(
-            "{count} components make {active} combinations active at once, each with the weight {:.4}; the limit is \
-             {SMALLEST_WEIGHT}",
+            "{count} components make {active} combinations active at once, each with the weight \
+             {:.4}; the limit is {SMALLEST_WEIGHT}",
             1.0 / active
         );
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);

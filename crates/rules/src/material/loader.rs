@@ -43,13 +43,15 @@ const READ: [&str; 28] = [
 /// Those that MakeHuman 1 reads.
 #[rustfmt::skip]
 const READ_BY_1: [&str; 47] = [
-    "name", "tag", "description", "ambientColor", "diffuseColor", "specularColor", "emissiveColor", "viewPortColor",
-    "viewPortAlpha", "diffuseIntensity", "specularIntensity", "shininess", "opacity", "translucency", "shadeless",
-    "wireframe", "transparent", "depthless", "autoBlendSkin", "sssEnabled", "alphaToCoverage", "backfaceCull",
-    "castShadows", "receiveShadows", "diffuseTexture", "bumpmapTexture", "normalmapTexture", "displacementmapTexture",
-    "specularmapTexture", "transparencymapTexture", "aomapTexture", "bumpmapIntensity", "normalmapIntensity",
-    "displacementmapIntensity", "specularmapIntensity", "transparencymapIntensity", "aomapIntensity", "sssRScale",
-    "sssGScale", "sssBScale", "shader", "uvMap", "shaderParam", "shaderDefine", "shaderConfig", "author", "license",
+    "name", "tag", "description", "ambientColor", "diffuseColor", "specularColor", "emissiveColor",
+    "viewPortColor", "viewPortAlpha", "diffuseIntensity", "specularIntensity", "shininess",
+    "opacity", "translucency", "shadeless", "wireframe", "transparent", "depthless",
+    "autoBlendSkin", "sssEnabled", "alphaToCoverage", "backfaceCull", "castShadows",
+    "receiveShadows", "diffuseTexture", "bumpmapTexture", "normalmapTexture",
+    "displacementmapTexture", "specularmapTexture", "transparencymapTexture", "aomapTexture",
+    "bumpmapIntensity", "normalmapIntensity", "displacementmapIntensity", "specularmapIntensity",
+    "transparencymapIntensity", "aomapIntensity", "sssRScale", "sssGScale", "sssBScale", "shader",
+    "uvMap", "shaderParam", "shaderDefine", "shaderConfig", "author", "license",
 ];
 
 /// Whether an application reads the keyword.
@@ -124,9 +126,10 @@ pub(super) fn last_parameters<'s>(surface: &'s Surface<'_>) -> impl Iterator<Ite
 /// Parameters of shaders that MakeHuman 1 sets from other keywords.
 #[rustfmt::skip]
 pub(super) const PARAMETERS: [&str; 16] = [
-    "diffuse", "ambient", "specular", "emissive", "diffuseTexture", "bumpmapTexture", "normalmapTexture",
-    "displacementmapTexture", "specularmapTexture", "transparencymapTexture", "aomapTexture", "bumpmapIntensity",
-    "normalmapIntensity", "specularmapIntensity", "transparencymapIntensity", "aomapIntensity",
+    "diffuse", "ambient", "specular", "emissive", "diffuseTexture", "bumpmapTexture",
+    "normalmapTexture", "displacementmapTexture", "specularmapTexture", "transparencymapTexture",
+    "aomapTexture", "bumpmapIntensity", "normalmapIntensity", "specularmapIntensity",
+    "transparencymapIntensity", "aomapIntensity",
 ];
 /// Defines that follow from the material.
 pub(super) const DEFINES: [&str; 8] = [

@@ -9,11 +9,12 @@ use mhlint_repo::Surface;
 /// Keywords of other applications, and those of MakeHuman 2 for the same.
 #[rustfmt::skip]
 const SAME: [(&str, &str); 10] = [
-    ("roughness", "roughnessFactor"), ("metallic", "metallicFactor"), ("emissionIntensity", "emissiveFactor"),
-    ("bumpmapTexture", "normalmapTexture"), ("bumpmapIntensity", "normalmapIntensity"),
-    ("roughnessmapTexture", "metallicRoughnessTexture"), ("metallicmapTexture", "metallicRoughnessTexture"),
-    ("emissionColorMapTexture", "emissiveTexture"), ("emissionStrengthMapTexture", "emissiveTexture"),
-    ("litsphereTexture", "shaderParam"),
+    ("roughness", "roughnessFactor"), ("metallic", "metallicFactor"),
+    ("emissionIntensity", "emissiveFactor"), ("bumpmapTexture", "normalmapTexture"),
+    ("bumpmapIntensity", "normalmapIntensity"), ("roughnessmapTexture", "metallicRoughnessTexture"),
+    ("metallicmapTexture", "metallicRoughnessTexture"),
+    ("emissionColorMapTexture", "emissiveTexture"),
+    ("emissionStrengthMapTexture", "emissiveTexture"), ("litsphereTexture", "shaderParam"),
 ];
 
 /// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not

@@ -104,8 +104,8 @@ impl Told<'_> {
     /// With other counts, either of the two may be the mesh that everything else was made for.
     fn help(&self) -> &'static str {
         if self.difference.vertices.is_some() || self.difference.faces.is_some() {
-            "find out which mesh the targets and weights are for (`numverts` of base.json); then restore base.obj, or \
-             rebuild base.mhbin from it with compile_meshes.py"
+            "find out which mesh the targets and weights are for (`numverts` of base.json); then \
+             restore base.obj, or rebuild base.mhbin from it with compile_meshes.py"
         } else {
             "if base.obj is the right one, move base.mhbin away, or rebuild it with \
                 compile_meshes.py"

@@ -87,7 +87,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn help(users: &[usize]) -> String {
     if users.is_empty() {
-        return "list its macrodefs, or remove `macro`; no component of macro.json reads the slider".to_owned();
+        return "list its macrodefs, or remove `macro`; no component of macro.json reads the slider"
+            .to_owned();
     }
     let list: Vec<String> = users.iter().map(usize::to_string).collect();
     format!("add `\"macro_influence\": [{}]`", list.join(", "))

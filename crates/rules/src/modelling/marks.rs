@@ -10,8 +10,8 @@ use mhlint_repo::makehuman2::Base;
 use mhlint_repo::{Reference, ReferenceKind};
 
 /// What becomes of an entry of the generated file whose target is gone.
-pub(super) const OF_GENERATED: &str = "crashes with `AttributeError` when the slider moves; if the folder is newer \
-     than the file, it writes the file again and the slider disappears";
+pub(super) const OF_GENERATED: &str = "crashes with `AttributeError` when the slider moves; if the \
+    folder is newer than the file, it writes the file again and the slider disappears";
 pub(super) const ANEW: &str = "delete modelling.json and target_cat.json in this folder: \
     MakeHuman 2 writes them again from the user targets";
 
@@ -68,8 +68,8 @@ pub(super) fn missing(
     let finding = rule
         .at(first.from, first.place.clone(), message)
         .key(format!("{} {side}", first.owner));
-    let effect = "does not look for the target in the user's folder and crashes with `AttributeError` when the slider \
-        moves";
+    let effect = "does not look for the target in the user's folder and crashes with \
+        `AttributeError` when the slider moves";
     Some(finding.effect(effect).help(format!(
         "move sliders and macros of your own to `contarget/{}`, then {ANEW}",
         base.name

@@ -78,8 +78,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let message = format!(
                 "measures vertex {first}, a UV-seam duplicate: the mesh has {vertices} vertices"
             );
-            let effect = "measures to the copy of another vertex, which it adds where the UV map is cut: the length is \
-                wrong";
+            let effect = "measures to the copy of another vertex, which it adds where the UV map \
+                is cut: the length is wrong";
             out.push(finding(bound, &message, effect).level(Level::Warning));
         } else if is_circumference(bound) {
             out.extend(open_line(bound, line, &mesh.positions, &landmarks));

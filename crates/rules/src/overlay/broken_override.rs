@@ -86,8 +86,8 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
         _ => (
             Place::Pointer(String::new()),
             "an empty value counts as a missing file".to_owned(),
-            "write its content, or remove the file; for a base without macros, write `{\"components\": {}, \
-             \"macrodef\": []}`",
+            "write its content, or remove the file; for a base without macros, write \
+             `{\"components\": {}, \"macrodef\": []}`",
         ),
     }
 }

@@ -214,8 +214,8 @@ fn targets_alone<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, Gap)> {
         folder.rel()
     )
     .replace("1 target file are", "1 target file is");
-    let help = "add their macro.json and modelling.json, or move additions to the targets of the system data to \
-        `target/<base>/<group>/`";
+    let help = "add their macro.json and modelling.json, or move additions to the targets of the \
+        system data to `target/<base>/<group>/`";
     Some((
         file,
         (

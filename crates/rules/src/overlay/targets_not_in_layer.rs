@@ -11,8 +11,8 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
-            otherwise as soon as a slider uses one",
+        "cannot load the targets and crashes with `AttributeError`: at start if the default \
+         character uses one, otherwise as soon as a slider uses one",
     )],
     docs: include_str!("targets_not_in_layer.md").trim_ascii_end(),
     counts: "targets",

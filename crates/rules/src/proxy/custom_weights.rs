@@ -11,12 +11,31 @@ use mhlint_diag::{
 use mhlint_repo::{Body, FileFacts, ReferenceKind};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `KeyError` in every pose; the glTF export crashes up to \
-        2026-08-05 for a model with a skeleton, newer ones leave out the weights"), (Makehuman1, "drops the weights of these bones: vertices that have no others go to the root bone"), (Mpfb, "silently drops the weights of the bone: the asset keeps those that it takes from the body")],
+    breaks: &[
+        (
+            Makehuman2,
+            "crashes with `KeyError` in every pose; the glTF export crashes up to \
+        2026-08-05 for a model with a skeleton, newer ones leave out the weights",
+        ),
+        (
+            Makehuman1,
+            "drops \
+            the weights of these bones: vertices that have no others go to the root bone",
+        ),
+        (
+            Mpfb,
+            "silently \
+                drops the weights of the bone: the asset keeps those that it takes from the body",
+        ),
+    ],
     levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
     docs: include_str!("custom_weights.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-custom-weights", Level::Error, "bone weights of an asset name an \
-        unknown bone")
+    ..RuleInfo::new(
+        "proxy-custom-weights",
+        Level::Error,
+        "bone weights of an asset name an \
+        unknown bone",
+    )
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

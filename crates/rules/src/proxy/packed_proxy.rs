@@ -29,8 +29,8 @@ pub(super) fn finding<'v>(rule: &Rule, body: &Body<'v>, worn: &Worn<'v>) -> Opti
             "the text",
         );
         finding.help(
-            "if the text and its mesh are up to date, delete the `.mhpxy`: the text is read, and in the data of a user \
-            MakeHuman 1 packs it again",
+            "if the text and its mesh are up to date, delete the `.mhpxy`: the text is read, and \
+             in the data of a user MakeHuman 1 packs it again",
         )
     };
     if let Some(message) = unfit(body, file) {

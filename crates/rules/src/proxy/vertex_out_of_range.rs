@@ -9,14 +9,30 @@ use mhlint_diag::{
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "crashes with `IndexError` when the asset is put on, and again whenever a slider moves \
+    breaks: &[
+        (
+            Makehuman2,
+            "crashes with `IndexError` when the asset is put on, and again whenever a slider moves \
             and in the glTF export",
-    ), (Makehuman1, "does not put the asset on: `IndexError` when it is fitted"), (Mpfb, "fails with `IndexError` on a character with a rig; without one the vertex stays where the OBJ has it")],
+        ),
+        (
+            Makehuman1,
+            "does not put the asset on: `IndexError` when it is fitted",
+        ),
+        (
+            Mpfb,
+            "fails \
+        with `IndexError` on a character with a rig; without one the vertex stays where the OBJ \
+        has it",
+        ),
+    ],
     docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the \
-        base mesh does not have")
+    ..RuleInfo::new(
+        "proxy-vertex-out-of-range",
+        Level::Error,
+        "an asset uses a vertex that the \
+        base mesh does not have",
+    )
 });
 
 const SEAM: Case = &[

@@ -40,7 +40,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let in_lower_case = grouped(joints.iter().map(|name| (name.to_ascii_lowercase(), *name)));
     let known = (&joints, &in_lower_case);
     for (file, rig) in view.own_rigs() {
-        let is_unknown = |end: &End| matches!(&end.strategy, Strategy::Cube(name) if !joints.contains(&**name) && !lost.contains(&**name));
+        let is_unknown = |end: &End| match &end.strategy {
+            Strategy::Cube(name) => !joints.contains(&**name) && !lost.contains(&**name),
+            _ => false,
+        };
         for has_default in [false, true] {
             let found =
                 ends(rig).filter(|(.., end)| is_unknown(end) && has_place(end) == has_default);

@@ -75,8 +75,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             moved(target.joints, target.helpers),
         );
     }
-    let help = "leave it if it is for something drawn at the helpers, such as genitals or clothes; otherwise make the \
-                shape on the visible mesh";
+    let help = "leave it if it is for something drawn at the helpers, such as genitals or clothes; \
+        otherwise make the shape on the visible mesh";
     out.push(finding.help(help));
 }
 

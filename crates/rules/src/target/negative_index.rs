@@ -13,17 +13,27 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later \
-             start",
+            "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that \
+             crashes every later start",
         ),
-        (Makehuman1, "fails with `IndexError` each time the target is applied, and stops in the \
-            middle of the update"),
-        (Mpfb, "counts from the end of the mesh: silently moves another vertex"),
+        (
+            Makehuman1,
+            "fails with `IndexError` each time the target is applied, and stops in the \
+            middle of the update",
+        ),
+        (
+            Mpfb,
+            "counts from the end of the mesh: silently moves another vertex",
+        ),
     ],
     levels: &[(Mpfb, Level::Warning)],
     docs: include_str!("negative_index.md").trim_ascii_end(),
     counts: "rows, by vertex",
-    ..RuleInfo::new("target-negative-index", Level::Error, "a vertex index in a target is negative")
+    ..RuleInfo::new(
+        "target-negative-index",
+        Level::Error,
+        "a vertex index in a target is negative",
+    )
 });
 
 const BEFORE_ALL: Case = &[(

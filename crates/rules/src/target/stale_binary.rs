@@ -145,8 +145,8 @@ fn differs(text: &FileFacts, content: u64) -> bool {
 
 const REBUILD: &str = "delete the archive; MakeHuman 2 rebuilds it at the next start";
 /// To delete the only copy of a target would be worse than the fault.
-const REBUILD_LATER: &str = "restore the `.target` files that are still needed, then delete the archive; MakeHuman 2 \
-    rebuilds it without the targets that have no text file";
+const REBUILD_LATER: &str = "restore the `.target` files that are still needed, then delete the \
+    archive; MakeHuman 2 rebuilds it without the targets that have no text file";
 
 fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
     let groups = [

@@ -16,10 +16,13 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "crashes at start with `ValueError` and leaves an empty compressedtargets.npz that crashes every later \
-             start",
+            "crashes at start with `ValueError` and leaves an empty compressedtargets.npz that \
+             crashes every later start",
         ),
-        (Makehuman1, "logs \"Unable to open\", and the whole target moves nothing"),
+        (
+            Makehuman1,
+            "logs \"Unable to open\", and the whole target moves nothing",
+        ),
         (
             Mpfb,
             "fails when its slider moves first and does nothing afterwards; saved characters with \
@@ -28,7 +31,11 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ],
     docs: include_str!("syntax.md").trim_ascii_end(),
     counts: "rows",
-    ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is not a number")
+    ..RuleInfo::new(
+        "target-syntax",
+        Level::Error,
+        "a field of a target row is not a number",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -13,8 +13,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "uses only one of the entries: in pose mode the vertex moves towards the origin, half way if both \
-             entries are equal",
+            "uses only one of the entries: in pose mode the vertex moves towards the origin, half \
+             way if both entries are equal",
         ),
         (Makehuman1, "adds the weights, which changes nothing"),
         (Mpfb, "adds the weights, up to 1"),
@@ -22,8 +22,12 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
     docs: include_str!("duplicate_vertex.md").trim_ascii_end(),
     counts: "entries",
-    ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than \
-        once")
+    ..RuleInfo::new(
+        "weights-duplicate-vertex",
+        Level::Warning,
+        "a bone lists a vertex more than \
+        once",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -8,8 +8,8 @@ use mhlint_diag::{
 };
 use mhlint_repo::Body;
 
-const USUAL: &str = "drops the weight, so that the other bones pull the vertex too strongly; divides by zero if no weight is \
-    left";
+const USUAL: &str = "drops the weight, so that the other bones pull the vertex too strongly; \
+    divides by zero if no weight is left";
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[

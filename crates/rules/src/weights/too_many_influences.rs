@@ -10,13 +10,17 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "uses all bones, but its glTF export keeps only the four largest weights: the exported surface bends \
-         differently",
+        "uses all bones, but its glTF export keeps only the four largest weights: the exported \
+         surface bends differently",
     )],
     docs: include_str!("too_many_influences.md").trim_ascii_end(),
     counts: "vertices",
-    ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more \
-        than four bones")
+    ..RuleInfo::new(
+        "weights-too-many-influences",
+        Level::Info,
+        "a vertex has weights of more \
+        than four bones",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

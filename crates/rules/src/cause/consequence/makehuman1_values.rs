@@ -23,7 +23,8 @@ const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read em
 
 #[rustfmt::skip]
 static ROWS: [Row; 29] = [
-    row(Kind::ModifierFile, "/items/properties/modifiers/items/properties/defaultValue", ANY, Error, "fails with `TypeError` at each reset"),
+    row(Kind::ModifierFile, "/items/properties/modifiers/items/properties/defaultValue", ANY, Error, "fails \
+        with `TypeError` at each reset"),
     row(Kind::ModifierFile, "/", ANY, Error, NO_SET),
     row(Kind::ModifierTexts, "/", ANY, Error, "fails at start: none of the tabs of this set is \
         shown"),

@@ -61,15 +61,15 @@ pub(super) const REFUSED_ASSET: &str = "refuses the asset with a message: it can
 pub(super) const NO_WEIGHTS_LOADED: &str =
     "loads no weights: in pose mode the mesh collapses to the origin";
 /// What becomes of a base without a skeleton for poses.
-pub(crate) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
-    poses or rigs are opened, and crashes with `AttributeError` in the editors, up to 2026-08-05 \
-    also in the glTF export";
+pub(crate) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a \
+    message whenever poses or rigs are opened, and crashes with `AttributeError` in the editors, \
+    up to 2026-08-05 also in the glTF export";
 const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
 /// What becomes of a `.mhskel` or `.mhpose` of which the scan of assets makes nothing; since
 /// 08f975c it does not stop there (`docs/loaders/makehuman2/program.md#newer-program`).
-pub(crate) const NOT_SCANNED: &str = "up to 2026-08-05 crashes at start with `AttributeError` while scanning \
-    the assets; since 2026-08-14 logs a line and does not list the file";
+pub(crate) const NOT_SCANNED: &str = "up to 2026-08-05 crashes at start with `AttributeError` \
+    while scanning the assets; since 2026-08-14 logs a line and does not list the file";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, NOT_SCANNED);
 const TOOLS: &str = "never reads it; the tools that read it crash";
 const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
@@ -103,8 +103,8 @@ const NO_PICTURE: &[Cell] = &[
 /// (`docs/loaders/makehuman2/program.md#lamp-symbol`).
 pub(crate) const NO_LAMP: &str = "crashes at every start with a segmentation fault";
 /// A side is handed to OpenGL as it is (`docs/loaders/makehuman2/program.md#sky-boxes`).
-const NO_SKY: &str = "crashes with a segmentation fault when the skybox is shown, at every start if it is that of \
-    `shader.json`";
+const NO_SKY: &str = "crashes with a segmentation fault when the skybox is shown, at every start \
+    if it is that of `shader.json`";
 const NO_USER_ICON: &str =
     "crashes at start with `FileNotFoundError` if the picture is a broken link";
 const BINARY: Cell = level(Pointer, Warning);
@@ -149,8 +149,8 @@ const ROWS: &[Row] = &[
     ]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(Kind::MacroJson, Start, &[
-        cell(Absent, Error, "finds no macros and looks for the targets in the folder of the system data; crashes at start with \
-            `FileNotFoundError` if that folder does not exist"),
+        cell(Absent, Error, "finds no macros and looks for the targets in the folder of the system \
+            data; crashes at start with `FileNotFoundError` if that folder does not exist"),
         cell(Refused, Error, "treats it as missing with only a log line: the base has no macros"),
         cell(Syntax, Error, "treats it as missing with only a log line: the base has no macros"),
         cell(Needless, Info, "treats it as missing, without effect: no slider needs macros"),
@@ -343,11 +343,11 @@ const IN_GENERAL: &[Cell] = &[
 #[rustfmt::skip]
 const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[MacroTarget], Consequence::new(Error,
-        "does not find the target and crashes with `AttributeError` as soon as the sliders reach the combination, or at start if \
-         the default character uses it")),
+        "does not find the target and crashes with `AttributeError` as soon as the sliders reach \
+         the combination, or at start if the default character uses it")),
     (&[Incr, Decr], Consequence::new(Error,
-        "does not find the target and crashes with `AttributeError` when its slider moves, or at start if the start \
-         model sets it")),
+        "does not find the target and crashes with `AttributeError` when its slider moves, or at \
+         start if the start model sets it")),
     (&[Icon], Consequence::new(Warning, "shows a button of zero size, which cannot be clicked")),
     (&[WeightsFile], Consequence::new(Error, "rejects the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
@@ -394,8 +394,8 @@ pub(crate) fn ignored_override(
             base.name
         ),
         ("macro.json", _) => format!(
-            "{instead}; looks for all targets of the base in the system data, and crashes with `AttributeError` \
-             if one is missing there"
+            "{instead}; looks for all targets of the base in the system data, and crashes with \
+             `AttributeError` if one is missing there"
         ),
         ("target_cat.json", _) if !has_system => format!("{instead}; no slider can be reached"),
         _ => instead.to_owned(),

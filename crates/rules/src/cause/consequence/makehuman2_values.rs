@@ -60,7 +60,8 @@ static ROWS: [Row; 86] = [
     row(Pose, "/properties/tags/type", TEXT, Warning, "turns every letter into a tag"),
     row(Pose, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as tags"),
     row(Pose, "/properties/tags/", ANY, Error, SCAN_TYPE),
-    row(Pose, "/properties/unit_poses/additionalProperties/type", TRUTH, Level::Info, "counts it as 1 or 0"),
+    row(Pose, "/properties/unit_poses/additionalProperties/type", TRUTH, Level::Info, "counts it \
+        as 1 or 0"),
     row(Pose, "/properties/unit_poses/type", ANY, Error, "crashes with `AttributeError` when the \
         pose is shown"),
     row(Pose, "/properties/unit_poses/", ANY, Error, "crashes with `TypeError` when the pose is \
@@ -69,7 +70,8 @@ static ROWS: [Row; 86] = [
     row(PoseUnits, "/$defs/unit/type", ANY, Error, "crashes at start with `TypeError`"),
     row(PoseUnits, "/$defs/unit/properties/position/required", ANY, Error,
         "crashes with `KeyError` when the pose editor is opened"),
-    row(PoseUnits, "/$defs/unit/properties/position/properties/direction", ANY, Warning, "moves the figure along x"),
+    row(PoseUnits, "/$defs/unit/properties/position/properties/direction", ANY, Warning, "moves \
+        the figure along x"),
     row(PoseUnits, "/$defs/unit/properties/position/", ANY, Error, "crashes when the pose editor \
         is opened"),
     row(PoseUnits, "/$defs/unit/properties/bones", ANY, Error, "crashes at start"),

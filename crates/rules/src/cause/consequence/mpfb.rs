@@ -250,8 +250,8 @@ const fn unpacked(effect: &'static str) -> [Cell; 4] {
 
 /// The first query raises, later ones know what the disk listed before the file.
 const NO_PACKS: &[Cell] = &stopped(
-    "fails with an exception in the pack filter and in the randomizer, and later knows only the packs that the disk \
-     lists before this one",
+    "fails with an exception in the pack filter and in the randomizer, and later knows only the \
+     packs that the disk lists before this one",
 );
 
 const NO_BODY: &[Cell] =
