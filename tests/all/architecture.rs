@@ -52,18 +52,18 @@ const STILL_LONG: [(&str, usize); 23] = [
     ("rules/base/unknown_equipment.rs", 238),
     ("rules/base/unknown_preset.rs", 206),
     ("rules/bvh/frames.rs", 220),
-    ("rules/catalog/breaks_start.rs", 214),
-    ("rules/catalog/missing_target.rs", 216),
-    ("rules/file/unreferenced.rs", 216),
+    ("rules/catalog/breaks_start.rs", 215),
+    ("rules/catalog/missing_target.rs", 217),
+    ("rules/file/unreferenced.rs", 217),
     ("rules/macros/influence_mismatch.rs", 217),
     ("rules/macros/unexpected_combination.rs", 217),
-    ("rules/material/blender.rs", 606),
+    ("rules/material/blender.rs", 607),
     ("rules/mesh/stale_binary.rs", 216),
     ("rules/model/modifier.rs", 242),
     ("rules/modelling/unknown_group.rs", 229),
     ("rules/modifiers/no_target.rs", 213),
     ("rules/overlay/partial_override.rs", 228),
-    ("rules/overlay/shadowed_asset.rs", 208),
+    ("rules/overlay/shadowed_asset.rs", 209),
     ("rules/parts/missing_target.rs", 216),
     ("rules/proxy/scale.rs", 207),
     ("rules/proxy/stale_binary.rs", 204),
@@ -503,7 +503,12 @@ fn lines_stay_short() {
         if WIDE.iter().any(|wide| source.path.starts_with(wide)) {
             continue;
         }
-        let lines = source.code.lines().zip(1..);
+        // As it stands in the file.
+        let member = source.path.split('/').next().unwrap();
+        let code = source
+            .code
+            .replace(&format!("crate::{member}::"), "crate::");
+        let lines = code.lines().zip(1..);
         let long = lines.filter(|(line, _)| line.chars().count() > COLUMNS);
         faults.extend(long.map(|(_, number)| format!("{}:{number}", source.path)));
     }

@@ -552,7 +552,7 @@ mod tests {
         }
         assert!(suggestions.are_over());
         assert!(
-            touched.get() < COMPARED / COST_OF_CANDIDATE + 20_001,
+            touched.get() < COMPARED / COST_OF_LOOK + 20_001,
             "{}",
             touched.get()
         );

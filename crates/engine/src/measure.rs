@@ -9,7 +9,7 @@ use super::load::Data;
 use mhlint_config::Config;
 use mhlint_diag::{Application, FailedStep, grouped};
 use mhlint_eval::measures::Measures;
-use mhlint_evaluate::{self as evaluate, Rows, is_measured, needs_rows};
+use mhlint_evaluate::{self as evaluate, Rows};
 use mhlint_formats::Content;
 use mhlint_formats::Format;
 
@@ -44,12 +44,7 @@ pub(super) fn measure_bases(
     let looked_at = owned.iter().chain(&owned_before);
     let looked_at = looked_at.filter(|(_, own)| own.is_looked_at);
     let all: BTreeSet<Option<String>> = looked_at.map(|(name, _)| name.clone()).collect();
-    let has_rows = |data: &Data<'_>| {
-        data.stacks()
-            .iter()
-            .flat_map(|stack| &stack.seen)
-            .any(|(of, _)| needs_rows(*of))
-    };
+    let has_rows = |data: &Data<'_>| data.stacks().iter().any(|stack| !stack.seen.is_empty());
     let keeps_rows = has_rows(data) || before.as_ref().is_some_and(|before| has_rows(before));
     let differing = before
         .as_ref()
@@ -258,9 +253,7 @@ fn measure_base(
             .into_iter()
             .map(move |(of, layers)| (number, of, layers))
     });
-    for (number, application, layers) in
-        seen.filter(|(_, application, _)| is_measured(*application))
-    {
+    for (number, application, layers) in seen {
         let evaluate = || evaluate::measure(application, layers, name, rows, options);
         let step = FailedStep::Evaluation {
             base: name.to_owned(),

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::evaluated;
 use mhlint_diag::Application;
 use mhlint_eval::error::EvalError;
 
@@ -121,7 +120,7 @@ impl fmt::Display for Error {
         match self {
             Self::Open(reason) => f.write_str(reason),
             Self::NoData(path) => {
-                let titles: Vec<&str> = evaluated().map(Application::title).collect();
+                let titles = Application::ALL.map(Application::title);
                 let titles = match titles.as_slice() {
                     [others @ .., last] if !others.is_empty() => {
                         format!("{} or {last}", others.join(", "))

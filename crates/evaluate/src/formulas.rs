@@ -29,28 +29,6 @@ pub struct Openable<'a> {
     application: Application,
 }
 
-/// Whether rules ask for what the targets of an application come to, so that their rows are needed.
-pub const fn needs_rows(application: Application) -> bool {
-    matches!(
-        application,
-        Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb
-    )
-}
-
-/// Whether anything of the data of an application is measured: what is worn, also where nothing
-/// else is.
-pub const fn is_measured(application: Application) -> bool {
-    matches!(
-        application,
-        Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb
-    )
-}
-
-/// The applications whose data can be evaluated.
-pub fn evaluated() -> impl Iterator<Item = Application> {
-    Application::ALL.into_iter()
-}
-
 /// Measures a body as an application shows it; `rows` are those of its targets, and may be those of
 /// others, too. `None` for an application that is not evaluated, and without a mesh that vertices
 /// can be counted on.

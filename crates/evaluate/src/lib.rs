@@ -40,7 +40,7 @@ pub use outputs::{
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 
-pub use formulas::{Openable, evaluated, is_measured, measure, needs_rows, openable};
+pub use formulas::{Openable, measure, openable};
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

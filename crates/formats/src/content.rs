@@ -45,12 +45,12 @@ use super::target_catalog::TargetCatalog;
 use super::unfit::LoaderFaults;
 use super::uv_layer::UvLayer;
 use super::uv_map::UvMap;
-use crate::mhbin::asset::Packed;
 use crate::modifiers::file::ModifierFile;
 use crate::modifiers::mapping::ModifierMapping;
 use crate::modifiers::sliders::ModifierSliders;
 use crate::modifiers::texts::ModifierTexts;
 use crate::npz::targets::TargetsNpz;
+use crate::packed::asset::Packed;
 
 /// Content of a file as rules need it.
 #[derive(Debug, Clone, Default)]

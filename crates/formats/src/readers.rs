@@ -9,7 +9,7 @@ use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
     Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhclo, mhm, mhmat,
-    mhpose, mhw, modifiers, npz, obj, outdated, picture, picture_list as list, scene,
+    mhpose, mhw, modifiers, npz, obj, outdated, packed, picture, picture_list as list, scene,
     shader_source, stored_pose as stored, uv_layer as layer, uv_map,
 };
 use mhlint_json::{self as json, Document, SchemaFaults};
@@ -406,7 +406,7 @@ pub(super) fn zip(input: &Input<'_>) -> Parsed {
     };
     let mut parsed = zip_within(input, &limits);
     if parsed.gzip_fault.is_none() {
-        parsed.content = Content::Packed(Box::new(mhbin::asset::parse(
+        parsed.content = Content::Packed(Box::new(packed::asset::parse(
             input.bytes,
             input.limits,
             input.mesh,
@@ -420,7 +420,7 @@ pub(super) fn base_zip(input: &Input<'_>) -> Parsed {
     let parsed = zip_within(input, &input.limits.of_arrays());
     let content = match &parsed.gzip_fault {
         Some(_) => parsed.content,
-        None => Content::Packed(Box::new(mhbin::asset::parse_base(
+        None => Content::Packed(Box::new(packed::asset::parse_base(
             input.bytes,
             input.limits,
         ))),

@@ -4,9 +4,9 @@ use super::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution};
 use mhlint_diag::{Application, Place};
 use mhlint_discover::Kind;
 use mhlint_formats::asset_mesh::AssetMesh;
-use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::{Clothes, Entry};
-use mhlint_formats::mhpxy::PackedProxy;
+use mhlint_formats::packed::asset::Packed;
+use mhlint_formats::packed::proxy::PackedProxy;
 use mhlint_source::{Guess, normalized, parent};
 
 /// An asset that a body wears.

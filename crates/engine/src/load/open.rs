@@ -12,7 +12,7 @@ use super::stack::Stack;
 use crate::Error as RunError;
 use mhlint_diag::{Application, nearest};
 use mhlint_discover::Role;
-use mhlint_evaluate::{Error, Evaluation, Openable, evaluated, openable};
+use mhlint_evaluate::{Error, Evaluation, Openable, openable};
 use mhlint_source::{Limits, Tree, slashed};
 
 /// Opens a base of the data folder `root` (which lies over `system`, if given). Without `base`
@@ -26,8 +26,7 @@ pub fn open_base(
     base: Option<&str>,
 ) -> Result<Evaluation, Error> {
     let limits = Limits::default();
-    let applications: Vec<Application> = evaluated().collect();
-    let inputs = open(&[root.to_path_buf()], &applications, &limits)?;
+    let inputs = open(&[root.to_path_buf()], &Application::ALL, &limits)?;
     let judged = inputs.len();
     let mut trees: Vec<Tree> = inputs.into_iter().map(|input| input.tree).collect();
     trees.extend(system.map(open_system).transpose()?);
@@ -35,17 +34,17 @@ pub fn open_base(
     let no_data = |path: &Path| Error::NoData(slashed(path));
     let systems = below
         .iter()
-        .map(|tree| system_places(tree, &applications))
+        .map(|tree| system_places(tree, &Application::ALL))
         .collect::<Result<Vec<_>, _>>();
     let systems: Vec<_> = systems
         .map_err(|_| no_data(system.unwrap_or(root)))?
         .into_iter()
         .flatten()
         .collect();
-    let at_hand = with_data(&applications, &systems);
+    let at_hand = with_data(&Application::ALL, &systems);
     let checked = given
         .iter()
-        .flat_map(|tree| checked_places(tree, &at_hand, &applications));
+        .flat_map(|tree| checked_places(tree, &at_hand, &Application::ALL));
     let checked: Vec<_> = checked.map(|place| (place, Arc::default())).collect();
     if checked.is_empty() {
         return Err(no_data(root));

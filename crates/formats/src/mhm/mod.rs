@@ -6,6 +6,7 @@
 
 pub mod columns;
 pub mod lines;
+mod outdated;
 
 use std::ops::Range;
 
@@ -13,7 +14,7 @@ use crate::fields::fields;
 use crate::mhm::columns::Columns;
 use crate::mhm::lines::Lines;
 use crate::number::python_float;
-use crate::outdated::{self, Outdated};
+use crate::outdated::Outdated;
 use mhlint_source::lines;
 
 /// The file.

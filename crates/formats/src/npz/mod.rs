@@ -6,8 +6,6 @@
 //! `docs/loaders/makehuman2/targets.md#the-archive`). Gets bytes and limits, returns the members
 //! with the hashes of their rows; keeps no rows.
 
-pub mod mesh;
-pub(crate) mod print;
 mod rows;
 #[cfg(test)]
 pub(crate) mod samples;

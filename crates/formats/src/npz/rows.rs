@@ -5,9 +5,9 @@
 
 use std::io::Read;
 
-use crate::content_hash::ContentHash;
 use crate::npy::{Layout, NpyFault, Scalar, fill, finish, read_layout};
 use crate::stored;
+use crate::target::content_hash::ContentHash;
 
 /// What an array of target rows holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

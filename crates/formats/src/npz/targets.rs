@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 use crate::npy;
 use crate::npy::NpyFault;
 use crate::npy::table::{Cell, Table};
-use crate::npz::print::PackedPrint;
 use crate::npz::{self, ArchiveFault};
 use crate::target::Row;
+use crate::target::print::PackedPrint;
 use mhlint_source::Limits;
 
 /// A parsed archive.

@@ -6,20 +6,22 @@
 //! (`docs/loaders/makehuman2/targets.md#rows`).
 
 mod blanks;
+pub(crate) mod content_hash;
 pub mod edit;
 mod facts;
 pub mod name;
+pub(crate) mod print;
 mod repeats;
 mod row;
 
-use crate::content_hash::ContentHash;
 use crate::faulty_rows::row_name;
 use crate::fields::fields;
 use crate::inline_ignore::{self, InlineIgnore};
-use crate::npz::print::PackedPrint;
 pub use crate::target::blanks::rows as rows_at_blanks;
+use crate::target::content_hash::ContentHash;
 use crate::target::facts::length_of;
 pub use crate::target::facts::{BlankFacts, Largest, TargetFacts, UnreadableField};
+use crate::target::print::PackedPrint;
 use crate::target::repeats::{moves, repeats};
 use crate::target::row::fast_row;
 use crate::{python_float, python_int, stored};

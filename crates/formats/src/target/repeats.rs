@@ -1,8 +1,8 @@
 //! Vertices that a target names on several rows, of which the application applies the last
 //! (`docs/loaders/makehuman2/targets.md#rows`).
 
-use crate::content_hash::ContentHash;
 use crate::target::Row;
+use crate::target::content_hash::ContentHash;
 
 /// What repeats come to.
 #[derive(Debug, Default)]

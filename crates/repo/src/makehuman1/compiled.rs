@@ -8,8 +8,8 @@ use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Worn
 use mhlint_diag::Place;
 use mhlint_discover::archive_library_of;
 use mhlint_formats::asset_mesh::KeptFaces;
-use mhlint_formats::mhbin::asset::Packed;
-use mhlint_formats::mhpxy::{PackedProxy, USUAL_POLE};
+use mhlint_formats::packed::asset::Packed;
+use mhlint_formats::packed::proxy::{PackedProxy, USUAL_POLE};
 use mhlint_formats::python_int;
 
 /// The assets of a layer that have no text, also those whose archive cannot be read.

@@ -18,8 +18,8 @@ use crate::{
 use mhlint_diag::Application;
 use mhlint_discover::{Kind, library_of};
 use mhlint_formats::asset_mesh::AssetMesh;
-use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::obj::Mesh;
+use mhlint_formats::packed::asset::Packed;
 use mhlint_source::parent;
 
 /// Whose uses of a file count here.

@@ -10,8 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::OWN;
 use crate::{FileFacts, Layer, Layers};
 use mhlint_discover::{Kind, listed_in};
-use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::Value;
+use mhlint_formats::packed::asset::Packed;
 
 /// An asset that is listed.
 #[derive(Debug)]

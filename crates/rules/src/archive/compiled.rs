@@ -7,8 +7,8 @@ use super::{Sort, words};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place};
 use mhlint_discover::archive_library_of;
 use mhlint_formats::mhbin::MeshFault;
-use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::npz::{ArchiveFault, NpyFault};
+use mhlint_formats::packed::asset::Packed;
 use mhlint_repo::makehuman1::View;
 use mhlint_repo::{FileFacts, Reference, ReferenceKind};
 

@@ -4,8 +4,8 @@ use super::Sort;
 use super::words::{missing, not_zip, of_member, of_mesh};
 use mhlint_diag::{Application::Makehuman2, Case, Level};
 use mhlint_formats::mhbin::MeshFault;
-use mhlint_formats::mhbin::asset::{Packed, PackedAsset, PackedFault};
 use mhlint_formats::npz::ArchiveFault;
+use mhlint_formats::packed::asset::{Packed, PackedAsset, PackedFault};
 use mhlint_repo::{FileFacts, View};
 
 const NOT_ZIP: Case = &[(

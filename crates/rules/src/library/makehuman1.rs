@@ -15,7 +15,7 @@ use mhlint_diag::{
 use mhlint_discover::{
     Kind, archive_library_of, extension, libraries, library_extension, library_of,
 };
-use mhlint_formats::mhbin::asset::Packed;
+use mhlint_formats::packed::asset::Packed;
 use mhlint_repo::aside::OF_MAKEHUMAN1;
 use mhlint_repo::makehuman1::{Asset, CUSTOM, Known, View};
 use mhlint_repo::{FileFacts, Layer};

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{Text, texts};
-use mhlint_formats::mhbin::asset::{Mask, Packed, PackedAsset};
 use mhlint_formats::mhclo::RowFacts;
+use mhlint_formats::packed::asset::{Mask, Packed, PackedAsset};
 use mhlint_formats::target::MeshSize;
 use mhlint_repo::{Body, FileFacts, ReferenceKind, Resolution, Worn};
 

@@ -3,9 +3,9 @@
 use super::super::{Check, Rule, RuleCx, plain_letters, such};
 use super::{Text, texts};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
-use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::Entry;
-use mhlint_formats::mhpxy::Licence;
+use mhlint_formats::packed::asset::Packed;
+use mhlint_formats::packed::proxy::Licence;
 use mhlint_repo::{Body, Worn};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {

@@ -4,9 +4,9 @@
 use super::super::Rule;
 use super::{Lone, listed};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place};
-use mhlint_formats::mhbin::asset::Packed;
 use mhlint_formats::mhclo::Clothes;
-use mhlint_formats::mhpxy::PackedProxy;
+use mhlint_formats::packed::asset::Packed;
+use mhlint_formats::packed::proxy::PackedProxy;
 use mhlint_formats::python_int;
 use mhlint_repo::makehuman1::{named_by_archive, narrow_mesh};
 use mhlint_repo::{Body, FileFacts, Reference, ReferenceKind, Resolution, Worn};

@@ -6,8 +6,8 @@ use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Grouped, Level, Place, RuleInfo, grouped,
 };
-use mhlint_formats::mhbin::asset::PackedAsset;
 use mhlint_formats::mhclo::{Clothes, Scanned};
+use mhlint_formats::packed::asset::PackedAsset;
 use mhlint_formats::python_int;
 use mhlint_repo::Body;
 

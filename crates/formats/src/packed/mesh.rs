@@ -219,9 +219,9 @@ fn build(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mhbin::asset::{self, Packed};
     use crate::npz::samples::{npy, zip_of};
     use crate::obj;
+    use crate::packed::asset::{self, Packed};
     use mhlint_source::Limits;
 
     fn members() -> Vec<(&'static str, Vec<u8>)> {

@@ -4,15 +4,15 @@
 //! A zip of `.npy`. Gets its members and the size of the base mesh; returns what the text is
 //! compared with, or why it cannot be loaded. Keeps no rows.
 
-use super::fitting_columns::{self, Columns};
-use super::mhclo::RowFacts;
-use super::npy::NpyFault;
-use super::npz::Members;
-use super::stored;
-use super::target::MeshSize;
-use crate::mhbin::asset::Mask;
+use crate::fitting_columns::{self, Columns};
+use crate::mhclo::RowFacts;
 use crate::npy;
+use crate::npy::NpyFault;
 use crate::npy::table::{Cell, Table};
+use crate::npz::Members;
+use crate::packed::asset::Mask;
+use crate::stored;
+use crate::target::MeshSize;
 
 /// What is worn, as it is packed.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -273,8 +273,8 @@ fn scale(members: &mut Members<'_>, proxy: &mut PackedProxy) -> Result<(), Fault
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mhbin::asset::{self, Packed};
     use crate::npz::samples::{npy, zip_of};
+    use crate::packed::asset::{self, Packed};
     use mhlint_source::Limits;
 
     fn text_of(text: &[u8]) -> Vec<u8> {

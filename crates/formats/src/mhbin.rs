@@ -6,8 +6,6 @@
 //! `overflow` says whose copies they are. Gets bytes and limits, returns the mesh as an OBJ would
 //! give it, or why it cannot be loaded.
 
-pub mod asset;
-
 use crate::npy;
 use crate::npy::NpyFault;
 use crate::npy::table::{Cell, Table};

@@ -4,16 +4,16 @@
 //! A zip of `.npy`. Gets bytes, limits and the size of the base mesh; returns what the text is
 //! compared with, or why it cannot be loaded. Keeps no rows.
 
+use super::mesh;
 use crate::asset_mesh::{AssetMesh, MeshPrint};
 use crate::fitting_columns::{self, Columns};
 use crate::mhbin::{self, MeshFault};
 use crate::mhclo::RowFacts;
-use crate::mhpxy::{self, PackedProxy};
 use crate::npy;
 use crate::npy::NpyFault;
 use crate::npy::table::{Cell, Table};
-use crate::npz;
 use crate::npz::{ArchiveFault, Members};
+use crate::packed::proxy::{self, PackedProxy};
 use crate::stored;
 use crate::target::MeshSize;
 use mhlint_source::Limits;
@@ -111,11 +111,11 @@ pub fn parse(bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
         return Packed::Asset(Box::new(asset(&mut members, bytes, limits, size)));
     }
     // What MakeHuman 1 packs has no member of that name.
-    if mhpxy::is_proxy(&members) {
-        return Packed::Proxy(Box::new(mhpxy::read(&mut members, size)));
+    if proxy::is_proxy(&members) {
+        return Packed::Proxy(Box::new(proxy::read(&mut members, size)));
     }
-    if npz::mesh::is_mesh(&members) {
-        return Packed::Mesh(npz::mesh::read(&mut members).map(Box::new));
+    if mesh::is_mesh(&members) {
+        return Packed::Mesh(mesh::read(&mut members).map(Box::new));
     }
     Packed::Other
 }
@@ -123,8 +123,8 @@ pub fn parse(bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
 /// Reads the archive of a base mesh of MakeHuman 1 within `limits`: the mesh is kept whole.
 pub fn parse_base(bytes: &[u8], limits: &Limits) -> Packed {
     match Members::open(bytes, limits) {
-        Ok(mut members) if npz::mesh::is_mesh(&members) => {
-            Packed::Mesh(npz::mesh::read_base(&mut members).map(Box::new))
+        Ok(mut members) if mesh::is_mesh(&members) => {
+            Packed::Mesh(mesh::read_base(&mut members).map(Box::new))
         }
         Ok(_) => Packed::Other,
         Err(fault) => Packed::Unopened(fault),
