@@ -374,9 +374,7 @@ impl<'v> Body<'v> {
             .whole_mesh()
             .filter(|_| self.doubt != Some(Doubt::Foreign));
         let mesh = mesh.filter(|mesh| reached.len() < mesh.positions.len())?;
-        let unreached = self
-            .landmarks(mesh)
-            .unreached(reached, |group| self.shows(group));
+        let unreached = self.landmarks(mesh).unreached(reached);
         (unreached.count > 0).then_some(unreached)
     }
 

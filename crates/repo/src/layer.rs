@@ -51,12 +51,19 @@ pub struct Layer {
     pub identities: BTreeMap<Application, Identity>,
     /// Folded paths to paths, in order; made when first asked for.
     folded: OnceLock<BTreeMap<String, Vec<String>>>,
+    /// Paths in the order of what is below their folder at the top; made when first asked for.
+    below_tops: OnceLock<Vec<String>>,
     /// Its folders under their folded forms.
     folded_folders: OnceLock<BTreeSet<String>>,
     /// Printed paths of loose files to their supposed ones; made when first asked for.
     loose: OnceLock<BTreeMap<String, String>>,
     /// Printed paths of what could not be walked and lies beside the root, to those below it.
     faults_beside: OnceLock<BTreeMap<String, String>>,
+}
+
+/// The folder at the top of a path, and the rest with its slash.
+fn split_top(rel: &str) -> (&str, &str) {
+    rel.split_at(rel.find('/').unwrap_or(rel.len()))
 }
 
 /// Notes a path under its folded form.
@@ -95,6 +102,7 @@ impl Layer {
             identities: BTreeMap::new(),
             folded,
             folded_folders: OnceLock::new(),
+            below_tops: OnceLock::new(),
             faults_beside: OnceLock::new(),
             loose,
         }
@@ -106,6 +114,7 @@ impl Layer {
             files.keys().for_each(|rel| enter(folded, rel));
         }
         self.loose.take();
+        self.below_tops.take();
         // `append` would go through all that is there.
         self.files.extend(files);
     }
@@ -204,6 +213,20 @@ impl Layer {
         let from = self.files.range(prefix.clone()..);
         from.take_while(move |(rel, _)| rel.starts_with(&prefix))
             .map(|(_, file)| file)
+    }
+
+    /// The folders at the top that have a file at `below`, which begins with a slash, in order.
+    pub fn tops_with<'s>(&'s self, below: &str) -> impl Iterator<Item = &'s str> + use<'s> {
+        let rels = self.below_tops.get_or_init(|| {
+            let mut rels: Vec<String> = self.files.keys().cloned().collect();
+            rels.retain(|rel| rel.contains('/'));
+            rels.sort_by(|one, other| split_top(one).1.cmp(split_top(other).1));
+            rels
+        });
+        let from = rels.partition_point(|rel| split_top(rel).1 < below);
+        let to = rels.partition_point(|rel| split_top(rel).1 <= below);
+        let found = rels.get(from..to).unwrap_or_default();
+        found.iter().map(|rel| split_top(rel).0)
     }
 
     /// The first file whose path differs from `rel` in nothing but case, or the form of its

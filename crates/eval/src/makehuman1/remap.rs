@@ -25,28 +25,63 @@ pub struct RemapBone<'a> {
 /// What no list names below a base bone that one does goes to the bones with that list, at any
 /// depth. Base bones are numbered with parents before children.
 pub fn sources(parents: &[Option<usize>], bones: &[RemapBone<'_>]) -> Vec<Vec<usize>> {
-    let mut lists: Vec<Vec<usize>> = bones
-        .iter()
-        .map(|bone| bone.references.iter().flatten().copied().collect())
-        .collect();
-    let mut walk = Walk::new(parents, &lists, bones);
-    for bone in (0..parents.len()).rev() {
-        for free in walk.pass(bone) {
-            for taker in walk.takers.get(bone).into_iter().flatten() {
-                if let Some(list) = lists.get_mut(*taker) {
-                    list.push(free);
-                }
+    let Sources { mut own, free } = shared_sources(parents, bones);
+    for Free { bones, takers } in &free {
+        for taker in takers {
+            if let Some(list) = own.get_mut(*taker) {
+                list.extend(bones);
             }
         }
     }
-    for (bone, list) in bones.iter().zip(&mut lists) {
-        if bone.references.is_empty() {
-            list.extend(bone.same_name);
-        }
+    for list in &mut own {
         list.sort_unstable();
         list.dedup();
     }
-    lists
+    own
+}
+
+/// The same in little room: what several bones take is there once.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct Sources {
+    /// For each bone the base bones that it names, or without references that of its name; each
+    /// once and in order.
+    pub own: Vec<Vec<usize>>,
+    /// What no list names; each base bone is in one of these at most.
+    pub free: Vec<Free>,
+}
+
+/// Base bones that no list names.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Free {
+    /// Their numbers.
+    pub bones: Vec<usize>,
+    /// The bones that take all of them, each once and in order.
+    pub takers: Vec<usize>,
+}
+
+/// As [`sources`]; grows with the bones and their references alone.
+pub fn shared_sources(parents: &[Option<usize>], bones: &[RemapBone<'_>]) -> Sources {
+    let mut own: Vec<Vec<usize>> = bones
+        .iter()
+        .map(|bone| bone.references.iter().flatten().copied().collect())
+        .collect();
+    for list in &mut own {
+        list.sort_unstable();
+        list.dedup();
+    }
+    let mut walk = Walk::new(parents, &own, bones);
+    let mut free = Vec::new();
+    for bone in (0..parents.len()).rev() {
+        let bones = walk.pass(bone);
+        let takers = walk.takers.get(bone).filter(|_| !bones.is_empty());
+        free.extend(takers.cloned().map(|takers| Free { bones, takers }));
+    }
+    for (bone, list) in bones.iter().zip(&mut own) {
+        if bone.references.is_empty() {
+            list.extend(bone.same_name);
+        }
+    }
+    Sources { own, free }
 }
 
 /// A walk over the base skeleton, from its leaves on.
@@ -218,6 +253,18 @@ mod tests {
             &[refers(&[Some(2)], false), refers(&[Some(2)], false)],
         );
         assert_eq!(found, [vec![2, 3], vec![2, 3]]);
+        let shared = shared_sources(
+            &PARENTS,
+            &[refers(&[Some(2)], false), refers(&[Some(2)], false)],
+        );
+        let free = Free {
+            bones: vec![3],
+            takers: vec![0, 1],
+        };
+        assert_eq!(
+            (shared.own, shared.free),
+            (vec![vec![2], vec![2]], vec![free])
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Bones of an armature that groups of weights can lead to.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Takers<'a> {
     bones: BTreeMap<&'a str, usize>,
     extra: BTreeSet<&'a str>,
@@ -47,6 +47,22 @@ impl<'a> Takers<'a> {
             }
         }
         takers
+    }
+
+    /// What any of several armatures takes; the places of the bones stand for nothing.
+    pub fn any_of<'t>(all: impl IntoIterator<Item = &'t Self>) -> Self
+    where
+        'a: 't,
+    {
+        let mut any = Self::default();
+        for one in all {
+            // A bone that toes hang on is led to by its own name alone.
+            let free = one.bones.iter();
+            let free = free.filter(|(name, _)| !one.with_toes.contains(*name));
+            any.bones.extend(free);
+            any.extra.extend(one.bones.keys().chain(&one.extra));
+        }
+        any
     }
 
     /// The bone that a group leads to, and its place in the armature; an extra one has none.

@@ -13,6 +13,7 @@ mod unknown_equipment;
 mod unknown_preset;
 mod unsafe_rule;
 mod vertex_count;
+mod visible_text;
 
 use super::Rule;
 

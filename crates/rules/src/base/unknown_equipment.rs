@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
+use super::visible_text;
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use mhlint_formats::base_json::BaseJson;
 use mhlint_formats::obj::Mesh;
@@ -22,8 +23,8 @@ const EQUIPMENT: [&str; 8] = [
     "proxy",
 ];
 const ONLY_CLOTHES: &str = "offers only clothes: hair, eyes, teeth and topologies cannot be chosen";
-const MEMBER: &str = "visible groups";
-const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; the glTF export \
+pub(super) const MEMBER: &str = "visible groups";
+pub(super) const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; the glTF export \
     crashes with `ValueError`";
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -71,7 +72,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     };
     let earlier = out.len();
     if let Some(text) = &settings.visible_text {
-        out.push(plain_text(file, text, mesh));
+        out.push(visible_text::finding(&RULE, file, text, drawn(mesh)));
     }
     if let Some(groups) = &settings.visible_groups {
         visible(file, groups, mesh, out);
@@ -205,34 +206,4 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
             .level(Level::Warning)
             .effect("silently does not draw the group")
     });
-}
-
-/// Python's `in` asks a text for parts, a list for elements.
-fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
-    let shown: Vec<&str> = drawn(mesh).filter(|group| text.contains(*group)).collect();
-    let finding = |message: String| {
-        let names: Vec<String> = text
-            .split_whitespace()
-            .map(|name| format!("\"{name}\""))
-            .collect();
-        let help = format!("write a list: `[{}]`", names.join(", "));
-        RULE.at(file, Place::pointer([MEMBER]), message)
-            .key(MEMBER)
-            .help(help)
-    };
-    if shown.is_empty() {
-        return finding(format!(
-            "`visible groups` is the string `{text}`, which contains no group name"
-        ))
-        .effect(INVISIBLE);
-    }
-    let level = if shown == [text] {
-        Level::Info
-    } else {
-        Level::Warning
-    };
-    finding("`visible groups` is a string, expected a list".to_owned())
-        .level(level)
-        .effect("draws every group whose name is part of the string")
-        .evidence(Evidence::of_cases(shown))
 }

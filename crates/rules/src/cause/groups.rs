@@ -24,14 +24,24 @@ pub(crate) fn of(file: &FileFacts) -> Option<Groups<'_>> {
     })
 }
 
+/// Whether weights of this group are used.
+pub(crate) fn take(takers: &Takers<'_>, group: &str) -> bool {
+    group.starts_with(MASK) || takers.taker(group).is_some()
+}
+
 impl<'a> Groups<'a> {
     /// Names of the bones.
     pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
         self.rig.bones.iter().map(|bone| bone.name.as_str())
     }
 
+    /// What the groups of weights lead to.
+    pub(crate) const fn takers(&self) -> &Takers<'a> {
+        &self.takers
+    }
+
     /// Whether weights of this group are used.
     pub(crate) fn take(&self, group: &str) -> bool {
-        group.starts_with(MASK) || self.takers.taker(group).is_some()
+        take(&self.takers, group)
     }
 }

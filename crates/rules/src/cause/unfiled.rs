@@ -60,7 +60,6 @@ pub(crate) fn renamed_rigs<'l>(layer: &'l Layer, reference: &Reference<'_>) -> O
     let is_lost = matches!(reference.resolution, Resolution::Missing)
         && reference.kind == ReferenceKind::PoseSkeleton;
     let below = reference.rel.strip_prefix("rigs").filter(|_| is_lost)?;
-    let folders = layer.files.keys().filter_map(|rel| rel.strip_suffix(below));
-    let mut folders = folders.filter(|folder| !folder.contains('/') && *folder != "rigs");
+    let mut folders = layer.tops_with(below).filter(|folder| *folder != "rigs");
     folders.find(|folder| nearest(folder, CATEGORIES) == Some("rigs"))
 }

@@ -30,24 +30,33 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(remapped: &Remapped<'_>) -> Option<Finding> {
     let bones = &remapped.rig.skeleton.bones;
     let mut takers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (bone, sources) in remapped.sources.iter().enumerate() {
+    for (bone, sources) in remapped.sources.own.iter().enumerate() {
         sources
             .iter()
             .for_each(|source| takers.entry(*source).or_default().push(bone));
+    }
+    // Of those that take what no list names the first one stands for all.
+    let mut free_takers: BTreeMap<usize, usize> = BTreeMap::new();
+    for free in &remapped.sources.free {
+        let first = free.takers.first();
+        free_takers.extend(
+            first
+                .into_iter()
+                .flat_map(|first| free.bones.iter().map(move |source| (*source, *first))),
+        );
     }
     let is_twice = |(place, own): &(usize, &Vec<usize>)| {
         let bone = bones.get(*place)?;
         let shared = own
             .first()
             .filter(|_| bone.weight_references().0.is_empty())?;
-        takers
-            .get(shared)?
-            .iter()
-            .find(|taker| *taker != place)
-            .map(|taker| (bone.name.as_str(), *taker))
+        let other = takers.get(shared)?.iter().find(|taker| *taker != place);
+        let taker = other.into_iter().chain(free_takers.get(shared)).min()?;
+        Some((bone.name.as_str(), *taker))
     };
     let twice: Vec<(&str, usize)> = remapped
         .sources
+        .own
         .iter()
         .enumerate()
         .filter_map(|pair| is_twice(&pair))

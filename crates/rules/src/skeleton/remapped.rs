@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::{Rig, rigs};
-use mhlint_eval::makehuman1::remap::{RemapBone, sources};
+use mhlint_eval::makehuman1::remap::{RemapBone, Sources, shared_sources};
 use mhlint_formats::bone_references::{BoneReferences, NamedBones};
 use mhlint_formats::mhskel::Skeleton;
 use mhlint_repo::Body;
@@ -13,8 +13,8 @@ use mhlint_repo::Body;
 pub(super) struct Remapped<'a> {
     /// The skeleton.
     pub(super) rig: Rig<'a>,
-    /// For each bone places of those of the base skeleton that it takes.
-    pub(super) sources: Vec<Vec<usize>>,
+    /// Places of the bones of the base skeleton that its bones take.
+    pub(super) sources: Sources,
     /// The names of the base skeleton.
     pub(super) base: Vec<&'a str>,
     /// Those of its bones that no bone takes.
@@ -28,8 +28,16 @@ pub(super) fn remapped<'v>(body: &Body<'v>) -> Vec<Remapped<'v>> {
     };
     let others =
         rigs(body).filter(|rig| !rig.own.is_default && rig.skeleton.weights_file.is_none());
-    others.map(|rig| Remapped::of(base, rig)).collect()
+    let most = MOST_WALKED / base.bones.len().max(1);
+    others
+        .take(most)
+        .map(|rig| Remapped::of(base, rig))
+        .collect()
 }
+
+/// Bones of the base skeleton that are walked for all others: skeletons times bones have no end.
+/// With the base skeleton of the program these are 25 000 skeletons.
+const MOST_WALKED: usize = 1 << 22;
 
 impl<'a> Remapped<'a> {
     fn of(skeleton: &'a Skeleton, rig: Rig<'a>) -> Self {
@@ -49,8 +57,9 @@ impl<'a> Remapped<'a> {
                 },
             )
             .collect();
-        let sources = sources(&named.parents, &bones);
-        let taken: BTreeSet<usize> = sources.iter().flatten().copied().collect();
+        let sources = shared_sources(&named.parents, &bones);
+        let free = sources.free.iter().map(|free| &free.bones);
+        let taken: BTreeSet<usize> = sources.own.iter().chain(free).flatten().copied().collect();
         let untaken = named
             .base
             .iter()

@@ -73,7 +73,12 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
 /// Bones other than the root that take nothing of the base skeleton. Names that do not exist are
 /// reported as such.
 fn of_remapped(remapped: &Remapped<'_>) -> Option<Finding> {
-    let bones = remapped.rig.skeleton.bones.iter().zip(&remapped.sources);
+    let bones = remapped
+        .rig
+        .skeleton
+        .bones
+        .iter()
+        .zip(&remapped.sources.own);
     let is_bare = |(bone, sources): &(&Bone, &Vec<usize>)| {
         sources.is_empty() && bone.parent.is_some() && bone.weight_references().0.is_empty()
     };

@@ -71,7 +71,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .evidence(evidence(weights, &unreached, left.is_some()));
         out.push(weigh(
             own,
-            if unreached.is_shown {
+            if unreached.shown > 0 {
                 finding
             } else {
                 finding.at_most(Level::Info)
@@ -117,13 +117,8 @@ fn message(body: &Body<'_>, weights: &Weights, unreached: &Unreached<'_>) -> Str
     if unreached.count == 1 {
         return format!("{first} has no weight");
     }
-    let (visible, hidden): (Vec<_>, Vec<_>) =
-        unreached.groups().partition(|(group, _)| body.shows(group));
-    let count = |groups: &[(&str, usize)]| groups.iter().map(|(_, count)| count).sum::<usize>();
-    let regions = [
-        (Region::Visible, count(&visible)),
-        (Region::Helper, count(&hidden)),
-    ];
+    let hidden = unreached.count.saturating_sub(unreached.shown);
+    let regions = [(Region::Visible, unreached.shown), (Region::Helper, hidden)];
     let regions = regions
         .into_iter()
         .filter(|(_, count)| *count > 0)

@@ -1,11 +1,12 @@
 //! Weights of assets for bones that a rig of MPFB does not have
 //! (`docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::super::cause::groups::{self, Groups};
 use super::super::super::{Rule, RuleCx, did_you_mean};
 use mhlint_diag::{Evidence, Finding, Place};
+use mhlint_eval::mpfb::groups::Takers;
 use mhlint_formats::mhw::{BoneWeights, Weights};
 use mhlint_repo::{Body, BodyWeights, FileFacts, WeightsUse};
 use mhlint_source::parent;
@@ -21,6 +22,8 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
     if rigs.is_empty() || rigs.len() < body.rigs.len() {
         return Vec::new();
     }
+    let any = Takers::any_of(rigs.iter().map(|(_, rig)| rig.takers()));
+    let distinct = distinct(&rigs);
     let finding = |own: &BodyWeights<'_>| {
         let weights = own.file.weights().filter(|weights| weights.has_weights)?;
         let subrig = match subrig(body, own.file) {
@@ -40,8 +43,7 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
                 .collect()
         };
         let is_of_subrig = |name: &str| subrig.as_ref().is_some_and(|rig| rig.take(name));
-        let unknown =
-            left_by(&|name| is_of_subrig(name) || rigs.iter().any(|(_, rig)| rig.take(name)));
+        let unknown = left_by(&|name| is_of_subrig(name) || groups::take(&any, name));
         if let Some(first) = unknown.first() {
             let near = cx
                 .suggestions
@@ -49,8 +51,9 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
             let help = did_you_mean(near, "export the weights for a rig of MPFB");
             return Some(told(rule, own.file, &unknown, weights, "any rig").help(help));
         }
-        let left = rigs
-            .iter()
+        // Whether one of so many has all of them nobody can tell.
+        let compared = distinct.iter().filter(|_| distinct.len() <= MOST_COMPARED);
+        let left = compared
             .map(|(file, rig)| (*file, left_by(&|name| is_of_subrig(name) || rig.take(name))));
         let (file, left) = left.min_by_key(|(_, left)| left.len())?;
         if left.is_empty() || serves_several_rigs(&bones) {
@@ -68,6 +71,15 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
         .iter()
         .filter(|own| own.name.is_none() && own.used != WeightsUse::Unread);
     own.filter_map(finding).collect()
+}
+
+/// The first of the rigs that take the same groups.
+fn distinct<'r, 'v>(
+    rigs: &'r [(&'v FileFacts, Groups<'v>)],
+) -> Vec<&'r (&'v FileFacts, Groups<'v>)> {
+    let mut seen = BTreeSet::new();
+    let is_new = |(_, rig): &&'r (&'v FileFacts, Groups<'v>)| seen.insert(rig.takers());
+    rigs.iter().filter(is_new).collect()
 }
 
 fn told(rule: &Rule, file: &FileFacts, lost: &[&str], weights: &Weights, which: &str) -> Finding {
@@ -101,5 +113,8 @@ fn serves_several_rigs(bones: &[&BoneWeights]) -> bool {
     several * 2 > sums.len()
 }
 
+/// Different rigs that weights are compared with: rigs times weights have no end. MPFB has about a
+/// dozen.
+const MOST_COMPARED: usize = 64;
 /// Weights of one rig come to 1, but for what is rounded.
 const MOST_OF_ONE_RIG: f32 = 1.1;
