@@ -202,7 +202,8 @@ fn bones<'m>(mesh: &Mesh, skeleton: &'m Skeleton) -> Vec<(&'m str, [Point; 2])> 
         .collect()
 }
 
-/// Bones among which the one nearest to a vertex is looked for. The largest skeletons have hundreds.
+/// Bones among which the one nearest to a vertex is looked for. The largest skeletons have
+/// hundreds.
 const MOST_BONES: usize = 4096;
 
 fn mean(points: &[Point]) -> Point {
