@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use super::visible_text;
+use super::visible_text::{self, INVISIBLE, MEMBER};
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use mhlint_formats::base_json::BaseJson;
 use mhlint_formats::obj::Mesh;
@@ -23,9 +23,6 @@ const EQUIPMENT: [&str; 8] = [
     "proxy",
 ];
 const ONLY_CLOTHES: &str = "offers only clothes: hair, eyes, teeth and topologies cannot be chosen";
-pub(super) const MEMBER: &str = "visible groups";
-pub(super) const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; the glTF export \
-    crashes with `ValueError`";
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` at start")],

@@ -1,9 +1,14 @@
 //! `visible groups` as one text: Python's `in` asks a text for parts, a list for elements.
 
 use super::super::Rule;
-use super::unknown_equipment::{INVISIBLE, MEMBER};
 use mhlint_diag::{Evidence, Finding, Level, Place};
 use mhlint_repo::FileFacts;
+
+/// The key.
+pub(super) const MEMBER: &str = "visible groups";
+/// What follows where no group is drawn.
+pub(super) const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; \
+    the glTF export crashes with `ValueError`";
 
 /// Letters of a text in which all groups of the mesh are looked for: groups times letters have no
 /// end. Texts of real files have a few dozen.
