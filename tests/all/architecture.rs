@@ -49,7 +49,7 @@ const WIDE: [&str; 3] = [
 /// Files that were longer when lines became shorter: they may only shrink, and leave the table.
 const STILL_LONG: [(&str, usize); 23] = [
     ("rules/base/geometry_range.rs", 207),
-    ("rules/base/unknown_equipment.rs", 209),
+    ("rules/base/unknown_equipment.rs", 206),
     ("rules/base/unknown_preset.rs", 206),
     ("rules/bvh/frames.rs", 220),
     ("rules/catalog/breaks_start.rs", 215),

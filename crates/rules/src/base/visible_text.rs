@@ -4,9 +4,11 @@ use super::super::Rule;
 use mhlint_diag::{Evidence, Finding, Level, Place};
 use mhlint_repo::FileFacts;
 
+/// The key.
 pub(super) const MEMBER: &str = "visible groups";
-pub(super) const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; the \
-    glTF export crashes with `ValueError`";
+/// What follows where no group is drawn.
+pub(super) const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; \
+    the glTF export crashes with `ValueError`";
 
 /// Letters of a text in which all groups of the mesh are looked for: groups times letters have no
 /// end. Texts of real files have a few dozen.

@@ -24,6 +24,7 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
     }
     let any = Takers::any_of(rigs.iter().map(|(_, rig)| rig.takers()));
     let distinct = distinct(&rigs);
+    let mut room = MOST_COMPARED;
     let finding = |own: &BodyWeights<'_>| {
         let weights = own.file.weights().filter(|weights| weights.has_weights)?;
         let subrig = match subrig(body, own.file) {
@@ -51,9 +52,11 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
             let help = did_you_mean(near, "export the weights for a rig of MPFB");
             return Some(told(rule, own.file, &unknown, weights, "any rig").help(help));
         }
-        // Whether one of so many has all of them nobody can tell.
-        let compared = distinct.iter().filter(|_| distinct.len() <= MOST_COMPARED);
-        let left = compared
+        if distinct.len() > FEW {
+            room = room.checked_sub(distinct.len() * bones.len())?;
+        }
+        let left = distinct
+            .iter()
             .map(|(file, rig)| (*file, left_by(&|name| is_of_subrig(name) || rig.take(name))));
         let (file, left) = left.min_by_key(|(_, left)| left.len())?;
         if left.is_empty() || serves_several_rigs(&bones) {
@@ -113,8 +116,10 @@ fn serves_several_rigs(bones: &[&BoneWeights]) -> bool {
     several * 2 > sums.len()
 }
 
-/// Different rigs that weights are compared with: rigs times weights have no end. MPFB has about a
-/// dozen.
-const MOST_COMPARED: usize = 64;
+/// Different rigs that all weights are compared with. MPFB has about a dozen.
+const FEW: usize = 64;
+/// Bones that are looked up in more rigs than that, for all weights: rigs times weights have no
+/// end. Of further weights only bones that no rig has are reported.
+const MOST_COMPARED: usize = 1 << 22;
 /// Weights of one rig come to 1, but for what is rounded.
 const MOST_OF_ONE_RIG: f32 = 1.1;
