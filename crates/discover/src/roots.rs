@@ -44,14 +44,15 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
     Application::ALL
         .into_iter()
         .for_each(|one| search.share(one, &mut roots));
-    // A users' folder that certainly belongs to two applications is a root of both.
+    // A users' folder that certainly belongs to two applications is a root of both, or of the one
+    // whose data are at hand.
     let found: BTreeSet<&str> = roots.iter().map(|root| root.path.as_str()).collect();
     let shared = shared
         .into_iter()
         .filter(|root| found.contains(root.path.as_str()));
-    let shared: Vec<DataRoot> = shared
-        .filter(|root| !search.is_left_to_partner(root))
-        .collect();
+    let (left, shared): (BTreeSet<DataRoot>, BTreeSet<DataRoot>) =
+        shared.partition(|root| search.is_left_to_partner(root));
+    roots.retain(|root| !left.contains(root));
     roots.extend(shared);
     roots.sort();
     roots.dedup();

@@ -119,6 +119,7 @@ impl<'a> NamedTargets<'a> {
         }
         let (name, _) = beginning_with(shipped, beginning).first()?;
         name.strip_suffix(".target.gz")
+            .filter(|name| name.starts_with(beginning))
     }
 
     /// The names of all, for suggestions.
