@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::obj::{Face, Mesh, NO_UV};
 
-/// The mesh as a text that [`super::obj::parse`] makes the same mesh of. Numbers are written with
+/// The mesh as a text that [`super::parse`] makes the same mesh of. Numbers are written with
 /// the digits that give the same float32 back.
 pub fn text_of(mesh: &Mesh) -> String {
     let mut text = String::new();
