@@ -1,18 +1,19 @@
 //! What could be meant by the name of a target that does not exist.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Bound::{Included, Unbounded};
 
 use mhlint_diag::Suggestions;
 use mhlint_repo::mpfb::{Catalog, View, is_custom};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind};
-use mhlint_source::parent;
+use mhlint_source::{file_name, parent};
 
 /// Files that a missing one may be meant to be.
 pub(super) struct Neighbours<'v, 'a> {
     catalog: &'v Catalog<'a>,
-    /// Paths of the targets that a slider asks for. They are not meant: the other end of a slider
-    /// has nearly the same name.
-    used: BTreeSet<&'a str>,
+    /// The names of the targets that no slider asks for, by their paths. Others are not meant: the
+    /// other end of a slider has nearly the same name.
+    free: BTreeMap<&'a str, &'a str>,
     /// The targets by their names.
     by_name: BTreeMap<&'a str, &'a FileFacts>,
     suggestions: Suggestions,
@@ -20,12 +21,16 @@ pub(super) struct Neighbours<'v, 'a> {
 
 impl<'v, 'a> Neighbours<'v, 'a> {
     pub(super) fn of(view: &View<'a>, catalog: &'v Catalog<'a>) -> Self {
-        let used = view
+        let used: BTreeSet<&str> = view
             .references
             .iter()
             .filter_map(Reference::found)
             .map(|file| file.path.as_str())
             .collect();
+        let free = catalog.layer.below("targets");
+        let free = free.filter(|file| !used.contains(file.path.as_str()));
+        let free = free.map(|file| (file.rel.as_str(), stem(file.file_name()), file.file_name()));
+        let free = free.filter(|(_, stem, name)| stem != name);
         let targets = catalog
             .layer
             .below("targets")
@@ -33,7 +38,7 @@ impl<'v, 'a> Neighbours<'v, 'a> {
         let by_name = targets.map(|file| (stem(file.file_name()), file)).collect();
         Self {
             catalog,
-            used,
+            free: free.map(|(rel, stem, _)| (rel, stem)).collect(),
             by_name,
             suggestions: Suggestions::default(),
         }
@@ -86,22 +91,16 @@ impl<'v, 'a> Neighbours<'v, 'a> {
 
     /// The target of this name in another section.
     fn elsewhere(&self, reference: &Reference<'_>) -> Option<&'a FileFacts> {
-        self.by_name
-            .get(stem(reference.rel.rsplit('/').next()?))
-            .copied()
+        self.by_name.get(stem(file_name(&reference.rel))).copied()
     }
 
     /// The target beside it that is most like it.
     fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
-        let files = self.catalog.layer.below(parent(&reference.rel));
-        let free = self
-            .suggestions
-            .looked_through(files)
-            .filter(|file| !self.used.contains(file.path.as_str()))
-            .map(FileFacts::file_name);
-        let free = free.filter(|name| stem(name) != *name);
+        let within = format!("{}/", parent(&reference.rel));
+        let free = self.free.range::<str, _>((Included(&*within), Unbounded));
+        let free = free.take_while(|(rel, _)| rel.starts_with(&within));
         self.suggestions
-            .nearest(stem(reference.rel.rsplit('/').next()?), free.map(stem))
+            .nearest(stem(file_name(&reference.rel)), free.map(|(_, name)| *name))
     }
 }
 

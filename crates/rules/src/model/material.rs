@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::offered::{Offered, last};
+use super::offered::Offered;
 use super::{makehuman1, own};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -13,7 +13,7 @@ use mhlint_diag::{
 use mhlint_formats::mhm::MaterialLine;
 use mhlint_repo::makehuman2::{Base, SavedModel, View};
 use mhlint_repo::{Reference, ReferenceKind, Resolution};
-use mhlint_source::parent;
+use mhlint_source::{file_name, parent};
 
 pub(crate) static RULE: Rule = Check::EachBase(
     run,
@@ -146,7 +146,7 @@ fn missing(
     offered: &Offered<'_>,
     cx: &RuleCx<'_>,
 ) -> Finding {
-    let near = offered.by_last.get(last(reference.text)).copied();
+    let near = offered.by_last.get(file_name(reference.text)).copied();
     let near = near.or_else(|| {
         cx.suggestions
             .nearest_file(reference.text, offered.names.iter().copied())

@@ -24,7 +24,7 @@ impl<'v> Offered<'v> {
         let names: Vec<&str> = below.filter(is_nameable).collect();
         let mut by_last = BTreeMap::new();
         for name in &names {
-            by_last.entry(last(name)).or_insert(*name);
+            by_last.entry(file_name(name)).or_insert(*name);
         }
         Self {
             folder,
@@ -32,8 +32,4 @@ impl<'v> Offered<'v> {
             by_last,
         }
     }
-}
-
-pub(super) fn last(name: &str) -> &str {
-    file_name(name)
 }

@@ -1,6 +1,7 @@
 //! A constraint of a sub-rig that names two joints of the body means one bone of the body rig.
 
 use std::cell::LazyCell;
+use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::located::{Figure, Placed, apart, placed};
@@ -141,36 +142,53 @@ fn several(
 /// Where a bone begins and ends.
 type Ends = (Vec3, Vec3);
 
-/// The longest chain of bones that is followed, and the most places that are followed at once.
+/// The longest chain of bones that is followed.
 const LONGEST: usize = 64;
 
 /// Whether several bones, each beginning where another ends, lead from one place to another, and no
 /// single bone does.
 fn is_chain(ends: &[Ends], from: Vec3, to: Vec3) -> bool {
+    // The bones that begin at a place, by their numbers.
     let next = |at: Vec3| {
         let start = ends.partition_point(|(head, _)| head[0] < at[0] - NEAR);
-        ends.iter()
-            .skip(start)
-            .take_while(move |(head, _)| head[0] <= at[0] + NEAR)
-            .filter(move |(head, _)| apart(*head, at) < NEAR)
-            .map(|(_, tail)| *tail)
+        let heads = ends.iter().enumerate().skip(start);
+        heads
+            .take_while(move |(_, (head, _))| head[0] <= at[0] + NEAR)
+            .filter(move |(_, (head, _))| apart(*head, at) < NEAR)
+            .map(|(number, (_, tail))| (number, *tail))
     };
-    if next(from).any(|tail| apart(tail, to) < NEAR) {
+    let is_at_end = |bones: &[(usize, Vec3)]| bones.iter().any(|(_, tail)| apart(*tail, to) < NEAR);
+    let mut bones: Vec<(usize, Vec3)> = next(from).collect();
+    if is_at_end(&bones) {
         return false;
     }
-    let mut places: Vec<Vec3> = next(from).collect();
+    // Each bone is followed once: short ones lead to themselves.
+    let mut followed: BTreeSet<usize> = bones.iter().map(|(number, _)| *number).collect();
     for _ in 0..LONGEST {
-        if places.is_empty() {
-            return false;
-        }
-        if places.iter().any(|place| apart(*place, to) < NEAR) {
+        bones = bones
+            .iter()
+            .flat_map(|(_, tail)| next(*tail))
+            .filter(|(number, _)| followed.insert(*number))
+            .collect();
+        if is_at_end(&bones) {
             return true;
         }
-        places = places
-            .iter()
-            .flat_map(|place| next(*place))
-            .take(LONGEST)
-            .collect();
     }
     false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_bones_do_not_hide_a_chain() {
+        let bone = |from: f64, to: f64| ([from, 0.0, 0.0], [to, 0.0, 0.0]);
+        let mut ends = vec![bone(0.0, 1.0), bone(1.0, 2.0)];
+        ends.extend((0..100).map(|_| bone(0.0, 0.005)));
+        ends.sort_by(|(one, _), (other, _)| one[0].total_cmp(&other[0]));
+        assert!(is_chain(&ends, [0.0; 3], [2.0, 0.0, 0.0]));
+        assert!(!is_chain(&ends, [0.0; 3], [1.0, 0.0, 0.0]));
+        assert!(!is_chain(&ends, [0.0; 3], [3.0, 0.0, 0.0]));
+    }
 }

@@ -12,7 +12,7 @@ use super::makehuman2::{
 };
 use super::values::{ANY, NULL, Row, TEXT, Test, row};
 use super::{Consequence, values};
-use mhlint_diag::Level;
+use mhlint_diag::{Application::Makehuman2, Level};
 use mhlint_discover::Kind;
 use mhlint_formats::Content;
 use mhlint_json::{Found, SchemaFault};
@@ -189,7 +189,8 @@ fn is_reference(fault: &SchemaFault) -> bool {
 fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
     let named = view.references.to_file(file);
     let mut poses = named.filter(|one| one.kind == ReferenceKind::PoseSkeleton);
-    poses.any(|one| file.base() == Some(one.base) && one.found().is_some())
+    let own = file.base_in(Makehuman2);
+    poses.any(|one| own == Some(one.base) && one.found().is_some())
 }
 
 /// What a value of a file comes to, where it is not what `json-schema` says in general.
