@@ -58,11 +58,10 @@ pub mod cli;
 
 pub use mhlint_config::Config;
 pub use mhlint_diag::{Application, Finding, Level, Outcome};
-#[doc(hidden)]
-pub use mhlint_engine::trial;
 pub use mhlint_engine::{
     BaselineFault, CoveredKind, Error, Fixed, PathFault, Proposal, SelectorFault, covered_kinds,
-    lint, lint_and_fix, lint_trees, lint_with_replacements, open_base, propose, rule_infos,
+    lint, lint_and_fix, lint_trees, lint_trees_beside, lint_with_replacements, open_base, propose,
+    rule_infos,
 };
 pub use mhlint_rules::Unread;
 pub use mhlint_source::{Encoding, Limits, Tree};

@@ -92,15 +92,8 @@ fn every_fixable_case_is_fixed_for_good() {
     for rule in rules.keys() {
         for entry in fs::read_dir(project("fixtures/rules").join(rule)).unwrap() {
             let folder = entry.unwrap().path();
-            let is_on_trial = Case::read(&folder).application.as_deref() == Some("mpfb");
-            if !is_on_trial
-                && folder
-                    .file_name()
-                    .unwrap()
-                    .to_str()
-                    .unwrap()
-                    .starts_with("bad")
-            {
+            let name = folder.file_name().unwrap().to_str().unwrap();
+            if name.starts_with("bad") {
                 cases.push((rule.as_str(), folder));
             }
         }

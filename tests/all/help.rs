@@ -14,7 +14,6 @@ use crate::fixes::HIDDEN;
 use crate::scratch::advice::Row;
 use crate::scratch::memory::{Asked, Memory};
 use crate::scratch::{Case, copy_folder, example_of, folders, mhlint, project};
-use mhlint::trial;
 use serde_json::Value;
 
 /// A finding as far as it matters here.
@@ -366,7 +365,7 @@ fn names_and_numbers_do_not_make_another_help() {
 /// Rows are followed as they are read: that they are of rules which exist.
 #[test]
 fn rows_name_rules() {
-    let ids: BTreeSet<&str> = trial::rule_infos()
+    let ids: BTreeSet<&str> = mhlint::rule_infos()
         .into_iter()
         .map(|rule| rule.id)
         .collect();

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::scratch::exchanged::{exchanged, pointers};
 use crate::scratch::{content, copy_folder, findings, mhlint, project};
-use mhlint::{Application, Config, Outcome, Tree, trial};
+use mhlint::{Application, Config, Outcome, Tree, lint_trees};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -45,10 +45,11 @@ fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
         .chain([(path.to_owned(), bytes.into())]);
     let options = Config {
         no_eval: true,
+        applications: vec![Application::Mpfb],
         ..Config::default()
     };
     let tree = Tree::in_memory("", changed);
-    let outcome = trial::lint_trees(&[Application::Mpfb], vec![tree], None, &options).unwrap();
+    let outcome = lint_trees(vec![tree], None, &options).unwrap();
     assert!(
         outcome.is_whole(),
         "{path}: {:?} {:?}",

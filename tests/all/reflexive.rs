@@ -92,7 +92,7 @@ fn in_baseline(tree: &Memory) -> Vec<String> {
 
 /// Findings without those that nobody can hide.
 fn lasting(outcome: &Outcome) -> Vec<String> {
-    let rules = mhlint::trial::rule_infos();
+    let rules = mhlint::rule_infos();
     let is_lasting = |line: &String| {
         let rule = line
             .split_once('[')

@@ -14,7 +14,6 @@ use std::path::{Path, PathBuf};
 use crate::scratch::memory::{Asked, Memory, concise};
 use crate::scratch::{Case, example_of, findings, folders, mhlint, project};
 use mhlint::Tree;
-use mhlint::trial;
 use rayon::prelude::*;
 
 /// A folder below `fixtures/rules`.
@@ -48,7 +47,7 @@ fn every_case_gives_exactly_its_findings() {
 
 #[test]
 fn every_rule_has_cases_and_every_folder_a_rule() {
-    let ids: BTreeSet<String> = trial::rule_infos()
+    let ids: BTreeSet<String> = mhlint::rule_infos()
         .into_iter()
         .map(|rule| rule.id.to_owned())
         .collect();
@@ -134,15 +133,10 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
     );
     let config = mhlint::Config {
         only: vec!["weights".to_owned()],
+        applications: vec![mhlint::Application::Makehuman1],
         ..mhlint::Config::default()
     };
-    let outcome = trial::lint_trees(
-        &[mhlint::Application::Makehuman1],
-        vec![tree],
-        None,
-        &config,
-    )
-    .unwrap();
+    let outcome = mhlint::lint_trees(vec![tree], None, &config).unwrap();
     let expected = [
         "clothes/hat/hat.mhw:1:104: warning[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1",
         "rigs/default_weights.mhw:1:96: warning[weights-unknown-bone] bone `tip` does not exist in the skeleton",
@@ -161,17 +155,16 @@ fn the_data_of_mpfb_have_their_known_defects() {
         crate::scratch::corpus("mpfb").join("data"),
         |_, _, _| false,
     );
-    let outcome = trial::lint_trees(
-        &[mhlint::Application::Mpfb],
-        vec![tree],
-        None,
-        &mhlint::Config::default(),
-    )
-    .unwrap();
+    let config = mhlint::Config {
+        applications: vec![mhlint::Application::Mpfb],
+        ..mhlint::Config::default()
+    };
+    let outcome = mhlint::lint_trees(vec![tree], None, &config).unwrap();
     assert!(outcome.is_whole());
     assert_eq!(
         outcome
-            .checked()
+            .roots
+            .iter()
             .map(|root| root.bases.clone())
             .collect::<Vec<_>>(),
         [["hm08"]]
@@ -386,9 +379,10 @@ fn a_file_is_a_matter_of_the_applications_that_read_it() {
     );
     let config = mhlint::Config {
         only: vec!["file-gzip-corrupt".to_owned()],
+        applications: vec![Makehuman2, Mpfb],
         ..mhlint::Config::default()
     };
-    let outcome = trial::lint_trees(&[Makehuman2, Mpfb], vec![tree], None, &config).unwrap();
+    let outcome = mhlint::lint_trees(vec![tree], None, &config).unwrap();
     let told = |finding: &mhlint::Finding| {
         let breaks: Vec<_> = finding
             .breaks

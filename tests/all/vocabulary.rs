@@ -10,7 +10,6 @@ use std::path::Path;
 
 use crate::listing;
 use crate::scratch::{mhlint, project, stdout};
-use mhlint::trial;
 
 /// What is not said, and what is said instead. `*` is any word, `A` a word that begins with a
 /// capital.
@@ -161,7 +160,7 @@ fn texts() -> Vec<(String, String)> {
         .iter()
         .map(|text| ("messages".to_owned(), text.clone()))
         .collect();
-    for rule in trial::rule_infos() {
+    for rule in mhlint::rule_infos() {
         let effects = rule
             .breaks
             .iter()

@@ -84,9 +84,6 @@ pub struct RootSummary {
     /// What it was taken for, and why.
     #[serde(flatten)]
     pub identity: Identity,
-    /// Whether this version checks it.
-    #[serde(skip)]
-    pub checked: bool,
 }
 
 /// How a run ended for one application.
@@ -134,8 +131,6 @@ pub enum Unchecked {
     Unused,
     /// What is in it: it lies in no data folder.
     Outside,
-    /// Anything: this version does not check the application.
-    Application,
     /// Anything: they are tables of an add-on that makes assets, no assets.
     Helpers,
     /// Anything: they are test data, broken on purpose.
@@ -293,11 +288,6 @@ impl Outcome {
 
     /// Whether any root was checked.
     pub fn checked_anything(&self) -> bool {
-        self.checked().next().is_some()
-    }
-
-    /// The roots that were checked.
-    pub fn checked(&self) -> impl Iterator<Item = &RootSummary> {
-        self.roots.iter().filter(|root| root.checked)
+        !self.roots.is_empty()
     }
 }

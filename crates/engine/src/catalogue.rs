@@ -5,13 +5,6 @@ use mhlint_discover::Kind;
 use mhlint_repo::makehuman1::is_checked;
 use mhlint_rules::{Check, RULES, Rule};
 
-/// The applications whose data are checked. Any that has a layout can be loaded.
-pub(super) const CHECKED: [Application; 3] = [
-    Application::Makehuman2,
-    Application::Makehuman1,
-    Application::Mpfb,
-];
-
 /// Whether rules are about what is in files of this kind, for an application. Of other files only
 /// the name, the encoding and the syntax are checked.
 pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
@@ -75,16 +68,6 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
     }
 }
 
-/// The rules that concern an application that is checked. To users there are no others.
-pub(super) fn listed() -> impl Iterator<Item = &'static Rule> {
-    let concerns = |rule: &&Rule| {
-        CHECKED
-            .iter()
-            .any(|application| rule.concerns(*application))
-    };
-    RULES.iter().copied().filter(concerns)
-}
-
 /// The rule of that id.
 pub(super) fn named(id: &str) -> Option<&'static Rule> {
     RULES.iter().copied().find(|rule| rule.info.id == id)
@@ -92,7 +75,7 @@ pub(super) fn named(id: &str) -> Option<&'static Rule> {
 
 /// The declared halves of the rules, sorted by id.
 pub fn rule_infos() -> Vec<&'static RuleInfo> {
-    listed().map(|rule| &rule.info).collect()
+    RULES.iter().map(|rule| &rule.info).collect()
 }
 
 /// Whether a rule is about ignores, settings and the baseline, and about no asset.
@@ -107,7 +90,7 @@ mod tests {
     /// Sound and broken data of an application without rules would pass alike.
     #[test]
     fn what_is_checked_has_rules_on_its_files_and_on_its_data() {
-        for application in CHECKED {
+        for application in Application::ALL {
             let own = || RULES.iter().filter(|rule| rule.concerns(application));
             assert!(
                 own().any(|rule| matches!(rule.check, Check::File(_))),

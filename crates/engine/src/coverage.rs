@@ -245,11 +245,7 @@ fn without_rules(file: &FileFacts, application: Application) -> Unchecked {
 const fn is_of_whole_files(what: Unchecked) -> bool {
     matches!(
         what,
-        Unchecked::Kind
-            | Unchecked::Unused
-            | Unchecked::Packed
-            | Unchecked::Outside
-            | Unchecked::Application
+        Unchecked::Kind | Unchecked::Unused | Unchecked::Packed | Unchecked::Outside
     )
 }
 

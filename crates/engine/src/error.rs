@@ -53,8 +53,8 @@ pub enum Error {
 pub enum PathFault {
     /// As the system says it.
     Unreadable(String),
-    /// Nothing in it is data of one of these applications.
-    NoDataOf(Vec<Application>),
+    /// Nothing in it is data of an application.
+    NoData,
     /// A second `--system` of one application.
     SecondSystem {
         /// Whose data both are.
@@ -119,7 +119,7 @@ impl fmt::Display for Error {
         match self {
             Self::Path {
                 path,
-                fault: fault @ (PathFault::NoDataOf(_) | PathFault::SecondSystem { .. }),
+                fault: fault @ (PathFault::NoData | PathFault::SecondSystem { .. }),
             } => {
                 write!(f, "`{path}` {fault}")
             }
@@ -154,9 +154,9 @@ impl fmt::Display for PathFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreadable(reason) => f.write_str(reason),
-            Self::NoDataOf(applications) => {
+            Self::NoData => {
                 let shape = |application: &Application| Layout::of(*application).shape;
-                let wanted = applications
+                let wanted = Application::ALL
                     .iter()
                     .map(|one| format!("{one} data (expected a folder with {} in it)", shape(one)));
                 write!(

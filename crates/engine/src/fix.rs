@@ -5,7 +5,6 @@ use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-use super::catalogue::CHECKED;
 use super::error::Error;
 use super::load::{Input, Side, sides};
 use super::run::lint_sides;
@@ -49,7 +48,7 @@ pub fn lint_and_fix(
     options: &Config,
     with_unsafe: bool,
 ) -> Result<Fixed, Error> {
-    let (mut now, before) = sides(paths, options, &CHECKED)?;
+    let (mut now, before) = sides(paths, options)?;
     if let Some(pack) = now.inputs.iter().find(|input| input.tree.pack().is_some()) {
         return Err(Error::FixPack {
             path: pack.tree.label().to_owned(),
@@ -59,7 +58,7 @@ pub fn lint_and_fix(
     let mut work = Work::new(&now, before.as_ref(), options, with_unsafe);
     let mut all = Fixed::default();
     for turn in 0.. {
-        all.outcome = lint_sides(&now, before.as_ref(), options, &CHECKED)?;
+        all.outcome = lint_sides(&now, before.as_ref(), options)?;
         let (plan, fixed) = work.plan(&now, &all.outcome);
         if plan.is_empty() {
             break;

@@ -21,8 +21,6 @@ mod replaced;
 mod run;
 mod settle;
 mod summary;
-#[doc(hidden)]
-pub mod trial;
 mod verdict;
 
 pub use catalogue::rule_infos;
@@ -31,7 +29,7 @@ pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, lint_and_fix};
 pub use load::{Proposal, open_base, propose};
 pub use replaced::lint_with_replacements;
-pub use run::{lint, lint_trees};
+pub use run::{lint, lint_trees, lint_trees_beside};
 
 pub use fix::fixable;
 pub use load::is_pack;

@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::catalogue::CHECKED;
 use super::error::Error;
 use super::fix::{Texts, Work};
 use super::load::{Side, sides};
@@ -30,8 +29,8 @@ const WRITTEN: usize = 1 << 12;
 /// # Errors
 /// As [`super::lint`].
 pub fn lint_with_replacements(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
-    let (now, before) = sides(paths, options, &CHECKED)?;
-    let mut outcome = lint_sides(&now, before.as_ref(), options, &CHECKED)?;
+    let (now, before) = sides(paths, options)?;
+    let mut outcome = lint_sides(&now, before.as_ref(), options)?;
     let chosen = chosen(&outcome.findings);
     if !chosen.is_empty() {
         let work = Work::new(&now, before.as_ref(), options, false);

@@ -1,12 +1,11 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an
 //! outcome.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::catalogue::CHECKED;
 use super::check::{check, check_upkeep, merged_as_printed};
 use super::coverage::Coverage;
 use super::error::Error;
@@ -32,8 +31,8 @@ use mhlint_source::{Tree, is_below, resolved};
 /// # Errors
 /// When a path cannot be read, or an option names nothing that exists.
 pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
-    let (now, before) = sides(paths, options, &CHECKED)?;
-    lint_sides(&now, before.as_ref(), options, &CHECKED)
+    let (now, before) = sides(paths, options)?;
+    lint_sides(&now, before.as_ref(), options)
 }
 
 /// Checks data roots in trees, from disk or memory; `systems` are read and not reported.
@@ -45,7 +44,30 @@ pub fn lint_trees(
     systems: impl IntoIterator<Item = Tree>,
     options: &Config,
 ) -> Result<Outcome, Error> {
-    lint_sides(&Side::of(trees, systems), None, options, &CHECKED)
+    lint_sides(&Side::of(trees, systems), None, options)
+}
+
+/// The same, with what is new or worse than in the trees before.
+///
+/// # Errors
+/// As [`lint`].
+pub fn lint_trees_beside(
+    [now, before]: [Vec<Tree>; 2],
+    [system, system_before]: [Option<Tree>; 2],
+    options: &Config,
+) -> Result<Outcome, Error> {
+    let compare = Compare {
+        with: "before".to_owned(),
+        before: Before::Contents(BTreeMap::new()),
+        now: BTreeMap::new(),
+        missing: Vec::new(),
+    };
+    let options = Config {
+        compare: Some(compare),
+        ..options.clone()
+    };
+    let [now, before] = [Side::of(now, system), Side::of(before, system_before)];
+    lint_sides(&now, Some(&before), &options)
 }
 
 /// What is asked for, made ready.
@@ -54,7 +76,6 @@ struct Asked<'c> {
     selection: Selection<'c>,
     scope: Scope<'c>,
     known: Option<Known>,
-    applications: &'c [Application],
 }
 
 /// The findings on one side: those to report, and those that were there before settings on known
@@ -64,13 +85,12 @@ struct Found {
     all: Vec<Finding>,
 }
 
-/// Checks what one side holds for these applications; beside another one only what is new or worse
+/// Checks what one side holds; beside another one only what is new or worse
 /// is reported.
 pub(super) fn lint_sides(
     now: &Side,
     before: Option<&Side>,
     options: &Config,
-    applications: &[Application],
 ) -> Result<Outcome, Error> {
     let scope = Scope::new(named(now).collect(), options);
     let (selection, known) = (Selection::new(options)?, Known::open(options)?);
@@ -79,11 +99,9 @@ pub(super) fn lint_sides(
         selection,
         scope,
         known,
-        applications,
     };
-    let looked_for = applications
-        .iter()
-        .copied()
+    let looked_for = Application::ALL
+        .into_iter()
         .filter(|application| asked.options.asks_for(*application))
         .collect();
     let mut outcome = Outcome {
@@ -287,20 +305,8 @@ impl Asked<'_> {
         other: Option<&Data<'_>>,
         outcome: &mut Outcome,
     ) -> Result<Data<'t>, Error> {
-        let Self {
-            options,
-            scope,
-            applications,
-            ..
-        } = self;
-        let roots = Roots::of(
-            &side.inputs,
-            &side.systems,
-            scope,
-            options,
-            applications,
-            outcome,
-        )?;
+        let Self { options, scope, .. } = self;
+        let roots = Roots::of(&side.inputs, &side.systems, scope, options, outcome)?;
         let mut data = Data::load(roots, &options.limits, other);
         data.identify(options);
         let alone = data

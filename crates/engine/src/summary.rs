@@ -40,7 +40,6 @@ pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
         application: view.application(),
         bases: bases.map(str::to_owned).collect(),
         identity: identity(view),
-        checked: true,
     });
 }
 

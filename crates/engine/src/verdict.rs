@@ -24,7 +24,8 @@ pub(super) fn conclude(outcome: &mut Outcome, config: &Config) {
         outcome.summary.info,
     ) = counts;
     grade_consumers(&mut outcome.consumers, &outcome.findings);
-    let checked: BTreeSet<Application> = outcome.checked().map(|root| root.application).collect();
+    let checked: BTreeSet<Application> =
+        outcome.roots.iter().map(|root| root.application).collect();
     outcome.applications = checked
         .into_iter()
         .map(|application| verdict(application, outcome, config))
@@ -56,7 +57,8 @@ pub fn holds_asset(outcome: &Outcome, file: &Path, systems: &[PathBuf]) -> bool 
         Layout::of(application).is_asset(&rel)
     };
     let roots = outcome
-        .checked()
+        .roots
+        .iter()
         .map(|root| (Path::new(root.path.as_str()), root.application));
     let systems = systems
         .iter()
@@ -85,7 +87,6 @@ mod tests {
             application,
             bases: Vec::new(),
             identity: mhlint_diag::Identity::default(),
-            checked: true,
         };
         let roots = [Application::Mpfb, Application::Makehuman2]
             .map(root)

@@ -10,7 +10,8 @@ const NAMED: usize = 4;
 /// harmless yet.
 pub(super) fn lines(outcome: &Outcome, full: bool) -> Vec<String> {
     let roots: Vec<&RootSummary> = outcome
-        .checked()
+        .roots
+        .iter()
         .filter(|root| is_worth_a_line(root, full))
         .collect();
     let named = if full { roots.len() } else { NAMED };
@@ -97,7 +98,6 @@ mod tests {
             application: Application::Makehuman1,
             bases: Vec::new(),
             identity,
-            checked: true,
         };
         let of = |roots: Vec<RootSummary>, full| {
             lines(

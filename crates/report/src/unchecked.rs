@@ -22,7 +22,8 @@ const KINDS: [(&str, &str, &str); 5] = [
 pub(super) fn unchecked(outcome: &Outcome) -> impl Iterator<Item = String> {
     let mut all: Vec<NotChecked> = Vec::new();
     for entry in &outcome.not_checked {
-        match all.iter_mut().find(|other| is_of_one_clause(other, entry)) {
+        // A clause does not name the application.
+        match all.iter_mut().find(|other| other.what == entry.what) {
             Some(other) => {
                 let paths = other.paths.union(&entry.paths).cloned().collect();
                 *other = NotChecked::of(other.application, other.what, paths);
@@ -31,12 +32,6 @@ pub(super) fn unchecked(outcome: &Outcome) -> impl Iterator<Item = String> {
         }
     }
     all.into_iter().map(|entry| clause(&entry))
-}
-
-/// Whether two entries are the same but for the application, which the clause does not name.
-fn is_of_one_clause(one: &NotChecked, other: &NotChecked) -> bool {
-    one.what == other.what
-        && (one.application == other.application || one.what != Unchecked::Application)
 }
 
 /// `Not checked: 12 .bvh poses, 3 .blend (no rules yet); …`, not made harmless yet.
@@ -51,12 +46,6 @@ fn clause(entry: &NotChecked) -> String {
         Unchecked::Kind => of_kinds(entry),
         Unchecked::Unused => format!("{} (part of nothing that was checked)", by_extension(entry)),
         Unchecked::Outside => format!("{} (not in a data folder)", by_extension(entry)),
-        Unchecked::Application => {
-            let application = entry
-                .application
-                .map_or_else(String::new, |application| format!("{application} "));
-            format!("{files} of {application}data (not supported yet)")
-        }
         Unchecked::NoBaseMesh => format!(
             "{} in {} (no base mesh; use `--system`, and `--base` for files outside data folders)",
             of_base_mesh(entry),

@@ -59,8 +59,8 @@ pub(super) fn files(summary: &Summary) -> String {
 
 /// The checked data roots: path, application, base meshes. Not made harmless yet.
 pub(super) fn roots(outcome: &Outcome) -> Vec<String> {
-    let checked = outcome.checked();
-    checked
+    let roots = outcome.roots.iter();
+    roots
         .map(|root| {
             let bases = if root.bases.is_empty() {
                 String::new()
@@ -217,11 +217,6 @@ fn gone(outcome: &Outcome) -> String {
 /// Why nothing was checked of PATHs, and what to give instead.
 pub fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String {
     match what {
-        Some(Unchecked::Application) => {
-            let others = outcome.roots.iter().filter(|root| !root.checked);
-            let others: Vec<Application> = others.map(|root| root.application).collect();
-            format!("this version cannot check {} data yet", titles(&others))
-        }
         Some(Unchecked::Outside) => format!(
             "these files are in no {} data folder; name the folder that contains `clothes/`, \
                 `rigs/` or `target/`",
@@ -410,7 +405,7 @@ fn applications(outcome: &Outcome, gravest: &[&Finding]) -> Vec<Application> {
         .flat_map(|finding| finding.breaks.iter().map(|one| one.application))
         .collect();
     if named.is_empty() {
-        named.extend(outcome.checked().map(|root| root.application));
+        named.extend(outcome.roots.iter().map(|root| root.application));
     }
     named.sort_unstable();
     named.dedup();

@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
 
 use mhlint::report::{self, Format, View};
-use mhlint::trial;
 use mhlint::{Application, Config, Level, Outcome, Tree, lint_trees};
 
 use super::{Case, content, project};
@@ -40,8 +39,6 @@ pub struct Asked {
     paths: Vec<String>,
     system: Option<String>,
     config: Config,
-    /// One that is not checked for users.
-    application: Option<Application>,
 }
 
 impl Asked {
@@ -59,20 +56,21 @@ impl Asked {
         }
         let settings = case.write.iter().find(|write| write.file == "mhlint.toml");
         let config = settings
-            .map(|file| Config::parse(&file.text, "mhlint.toml", &trial::rule_infos()).unwrap());
+            .map(|file| Config::parse(&file.text, "mhlint.toml", &mhlint::rule_infos()).unwrap());
         let named = |name: &String| {
             Application::ALL
                 .into_iter()
                 .find(|one| one.word() == name)
                 .unwrap()
         };
-        let application = case.application.as_ref().map(named);
         let mut asked = Self {
             paths: Vec::new(),
             system: None,
             config: config.unwrap_or_default(),
-            application,
         };
+        if let Some(application) = &case.application {
+            asked.config.applications = vec![named(application)];
+        }
         let mut args = case.args.iter().map(String::as_str);
         while let Some(arg) = args.next() {
             match arg {
@@ -97,26 +95,20 @@ impl Asked {
             paths: vec![String::new()],
             system: None,
             config,
-            application: None,
         }
     }
 
     /// Runs the library on a repository.
     pub fn lint(&self, repository: &Memory) -> Outcome {
         let (trees, system) = self.trees(repository);
-        match self.application {
-            Some(application) => {
-                trial::lint_trees(&[application], trees, system, &self.config).unwrap()
-            }
-            None => lint_trees(trees, system, &self.config).unwrap(),
-        }
+        lint_trees(trees, system, &self.config).unwrap()
     }
 
     /// The same beside what the repository was before: what is new or worse.
     pub fn lint_beside(&self, now: &Memory, before: &Memory) -> Outcome {
         let [(now, system), (before, system_before)] =
             [now, before].map(|repository| self.trees(repository));
-        trial::lint_beside([now, before], [system, system_before], &self.config).unwrap()
+        mhlint::lint_trees_beside([now, before], [system, system_before], &self.config).unwrap()
     }
 
     fn trees(&self, repository: &Memory) -> (Vec<Tree>, Option<Tree>) {
@@ -288,7 +280,7 @@ impl Memory {
 
 /// Lines of the concise report.
 pub fn concise(outcome: &Outcome) -> Vec<String> {
-    let rules = trial::rule_infos();
+    let rules = mhlint::rule_infos();
     let view = View {
         pass: false,
         fail_on: Some(Level::Error),

@@ -354,18 +354,14 @@ mod tests {
             .map(str::to_owned)
             .chain(clothes)
             .map(|path| (path, b"#".to_vec()));
-        let (config, mut outcome) = (Config::default(), Outcome::default());
+        let config = Config {
+            applications: vec![Makehuman2, Mpfb],
+            ..Config::default()
+        };
+        let mut outcome = Outcome::default();
         let inputs = [Input::whole(Tree::in_memory("", files))];
         let scope = Scope::new(vec![String::new()], &config);
-        let roots = Roots::of(
-            &inputs,
-            &[],
-            &scope,
-            &config,
-            &[Makehuman2, Mpfb],
-            &mut outcome,
-        )
-        .unwrap();
+        let roots = Roots::of(&inputs, &[], &scope, &config, &mut outcome).unwrap();
         let data = Data::load(roots, &config.limits, None);
         let seen = data.stacks().into_iter().flat_map(|stack| stack.seen);
         let views: Vec<View<'_>> = seen

@@ -108,20 +108,15 @@ impl Input {
     }
 }
 
-/// Opens the paths, inside data of these applications upwards. A path given twice, or inside
+/// Opens the paths, inside data of an application upwards. A path given twice, or inside
 /// another, is opened once.
-pub(crate) fn open(
-    paths: &[PathBuf],
-    applications: &[Application],
-    limits: &Limits,
-) -> Result<Vec<Input>, Error> {
+pub(crate) fn open(paths: &[PathBuf], limits: &Limits) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
     let mut places: BTreeMap<PathBuf, usize> = BTreeMap::new();
     let known = KnownRoots::default();
     for path in paths {
         let place = canonical(path)?;
-        let part = (place.is_file() && !is_pack(path))
-            .then(|| Part::of_file(path, &place, applications, &known));
+        let part = (place.is_file() && !is_pack(path)).then(|| Part::of_file(path, &place, &known));
         let known_tree = part.as_ref().and_then(|part| {
             let (_, input) = inputs.get_mut(*places.get(&part.root)?)?;
             (input.is_beside == part.is_beside).then_some(input)
@@ -137,7 +132,7 @@ pub(crate) fn open(
         }
         let (root, mut input) = match part {
             Some(part) => part.open(),
-            None => open_whole(path, place, applications, limits, &known)?,
+            None => open_whole(path, place, limits, &known)?,
         };
         input.tests = tests_of(path);
         if let Some((_, known)) = places.get(&root).and_then(|at| inputs.get_mut(*at)) {
@@ -211,7 +206,6 @@ pub(crate) fn open_system(path: &Path) -> Result<Tree, Error> {
 fn open_whole(
     path: &Path,
     place: PathBuf,
-    applications: &[Application],
     limits: &Limits,
     known: &KnownRoots,
 ) -> Result<(PathBuf, Input), Error> {
@@ -222,7 +216,7 @@ fn open_whole(
     let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
     let is_no_root = roots_in(&tree, &place).is_empty();
     let above = if is_no_root {
-        Part::above(path, &place, &here, applications, known)
+        Part::above(path, &place, &here, known)
     } else {
         None
     };
@@ -278,14 +272,9 @@ struct Part {
 }
 
 impl Part {
-    fn of_file(
-        path: &Path,
-        place: &Path,
-        applications: &[Application],
-        known: &KnownRoots,
-    ) -> Self {
+    fn of_file(path: &Path, place: &Path, known: &KnownRoots) -> Self {
         let here = label(path);
-        Self::above(path, place, &here, applications, known).unwrap_or_else(|| {
+        Self::above(path, place, &here, known).unwrap_or_else(|| {
             let folder = folder_of(path).to_owned();
             let root = place.parent().unwrap_or(place).to_owned();
             Self {
@@ -299,17 +288,11 @@ impl Part {
     }
 
     /// The data root that `path` lies inside of.
-    fn above(
-        path: &Path,
-        place: &Path,
-        here: &str,
-        applications: &[Application],
-        known: &KnownRoots,
-    ) -> Option<Self> {
+    fn above(path: &Path, place: &Path, here: &str, known: &KnownRoots) -> Option<Self> {
         place.to_str()?;
         let slashed_place = slashed(place);
         let root_above = |one: &Application| known.above(&slashed_place, Layout::of(*one));
-        let root = applications.iter().find_map(root_above)?;
+        let root = Application::ALL.iter().find_map(root_above)?;
         let levels = place.strip_prefix(&root).ok()?.components().count();
         let written = label_above(path, here, levels);
         // What lies above a link is not above what it leads to.

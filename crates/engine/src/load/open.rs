@@ -10,7 +10,7 @@ use super::layer::list_targets;
 use super::roots::{Roots, checked_places, system_places, with_data};
 use super::stack::Stack;
 use crate::Error as RunError;
-use mhlint_diag::{Application, nearest};
+use mhlint_diag::nearest;
 use mhlint_discover::Role;
 use mhlint_evaluate::{Error, Evaluation, Openable, openable};
 use mhlint_source::{Limits, Tree, slashed};
@@ -26,7 +26,7 @@ pub fn open_base(
     base: Option<&str>,
 ) -> Result<Evaluation, Error> {
     let limits = Limits::default();
-    let inputs = open(&[root.to_path_buf()], &Application::ALL, &limits)?;
+    let inputs = open(&[root.to_path_buf()], &limits)?;
     let judged = inputs.len();
     let mut trees: Vec<Tree> = inputs.into_iter().map(|input| input.tree).collect();
     trees.extend(system.map(open_system).transpose()?);
@@ -34,17 +34,15 @@ pub fn open_base(
     let no_data = |path: &Path| Error::NoData(slashed(path));
     let systems = below
         .iter()
-        .map(|tree| system_places(tree, &Application::ALL))
+        .map(|tree| system_places(tree))
         .collect::<Result<Vec<_>, _>>();
     let systems: Vec<_> = systems
         .map_err(|_| no_data(system.unwrap_or(root)))?
         .into_iter()
         .flatten()
         .collect();
-    let at_hand = with_data(&Application::ALL, &systems);
-    let checked = given
-        .iter()
-        .flat_map(|tree| checked_places(tree, &at_hand, &Application::ALL));
+    let at_hand = with_data(&systems);
+    let checked = given.iter().flat_map(|tree| checked_places(tree, &at_hand));
     let checked: Vec<_> = checked.map(|place| (place, Arc::default())).collect();
     if checked.is_empty() {
         return Err(no_data(root));

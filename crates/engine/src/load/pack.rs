@@ -18,16 +18,12 @@ type Importer = fn(&str, &str) -> Option<String>;
 
 /// The applications that the files of a pack are checked for: those that are asked for, else those
 /// of the system data.
-pub(super) fn asked(
-    applications: &[Application],
-    systems: &[Place<'_>],
-    options: &Config,
-) -> Vec<Application> {
+pub(super) fn asked(systems: &[Place<'_>], options: &Config) -> Vec<Application> {
     let is_given =
         |application: &Application| systems.iter().any(|system| system.is_of(*application));
     let by_system = options.applications.is_empty() && !systems.is_empty();
     let is_asked = |one: &Application| options.asks_for(*one) && (!by_system || is_given(one));
-    applications.iter().copied().filter(is_asked).collect()
+    Application::ALL.into_iter().filter(is_asked).collect()
 }
 
 /// What a pack is to each of these applications, with the base meshes of its system data.

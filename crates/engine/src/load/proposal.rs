@@ -8,7 +8,6 @@ use super::found::roots_of;
 use super::input::open;
 use super::place::Place;
 use super::roots::{Roots, checked_places};
-use crate::catalogue::CHECKED;
 use mhlint_config::Config;
 use mhlint_diag::{Application, Outcome};
 use mhlint_discover::{Kind, is_read_though_hidden};
@@ -34,7 +33,7 @@ const LEVELS: usize = 6;
 /// When the folder cannot be read.
 pub fn propose(folder: &Path) -> Result<Option<Proposal>, Error> {
     let options = Config::default();
-    let inputs = open(&[folder.to_path_buf()], &CHECKED, &options.limits)?;
+    let inputs = open(&[folder.to_path_buf()], &options.limits)?;
     if inputs
         .iter()
         .any(|input| !roots_of(&input.tree, &[], |_| true).is_empty())
@@ -42,15 +41,8 @@ pub fn propose(folder: &Path) -> Result<Option<Proposal>, Error> {
         return Ok(None);
     }
     let scope = Scope::new(Vec::new(), &options);
-    let roots = Roots::of(
-        &inputs,
-        &[],
-        &scope,
-        &options,
-        &CHECKED,
-        &mut Outcome::default(),
-    )?;
-    let reading: Vec<Application> = CHECKED
+    let roots = Roots::of(&inputs, &[], &scope, &options, &mut Outcome::default())?;
+    let reading: Vec<Application> = Application::ALL
         .into_iter()
         .filter(|application| {
             roots
@@ -84,10 +76,11 @@ fn system_near(folder: &Path, reading: &[Application]) -> Option<(String, Vec<Ap
         LEVELS,
         is_read_though_hidden,
     );
-    let systems = checked_places(&tree, &[], reading);
+    let systems = checked_places(&tree, &[]);
+    let is_read = |place: &&Place<'_>| reading.iter().any(|one| place.is_of(*one));
     let system = systems
         .iter()
-        .filter(|place| has_base_mesh(place))
+        .filter(|place| is_read(place) && has_base_mesh(place))
         .min_by_key(|place| place.path().matches('/').count())?;
     let applications = reading
         .iter()

@@ -18,7 +18,7 @@ use super::set_aside::set_aside;
 use super::singly::unpacked_singly;
 use super::taken::Taken;
 use mhlint_config::Config;
-use mhlint_diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked};
+use mhlint_diag::{Application, NotChecked, Note, Outcome, Unchecked};
 use mhlint_discover::{Layout, Meant, Role, candidates, is_asset_anywhere, is_of_macos};
 use mhlint_source::{EntryKind, Tree, WalkFaultKind, folders_above};
 
@@ -31,28 +31,18 @@ pub(crate) struct Roots<'t> {
     pub(crate) systems: Vec<Place<'t>>,
 }
 
-/// The applications, of those given, that have data in at least one of the places.
-pub(super) fn with_data(applications: &[Application], places: &[Place<'_>]) -> Vec<Application> {
-    applications
-        .iter()
-        .copied()
+/// The applications that have data in at least one of the places.
+pub(super) fn with_data(places: &[Place<'_>]) -> Vec<Application> {
+    Application::ALL
+        .into_iter()
         .filter(|one| places.iter().any(|place| place.is_of(*one)))
         .collect()
 }
 
-/// The data roots in a tree that belong to the checked `applications`. `asked` are the applications
-/// that the user named with `--app`, or gave data of.
-pub(super) fn checked_places<'t>(
-    tree: &'t Tree,
-    asked: &[Application],
-    applications: &[Application],
-) -> Vec<Place<'t>> {
-    places(
-        tree,
-        roots_of(tree, asked, |application| {
-            applications.contains(&application)
-        }),
-    )
+/// The data roots in a tree. `asked` are the applications that the user named with `--app`, or gave
+/// data of.
+pub(super) fn checked_places<'t>(tree: &'t Tree, asked: &[Application]) -> Vec<Place<'t>> {
+    places(tree, roots_of(tree, asked, |_| true))
 }
 
 fn places(
@@ -121,7 +111,6 @@ fn in_packs<'t>(
     packs: &[(&'t Input, Certain)],
     systems: &[Place<'t>],
     options: &Config,
-    applications: &[Application],
 ) -> Result<Vec<(Place<'t>, Arc<Narrow>)>, Error> {
     let given = Given::of(systems, options);
     let bases_of = |application| {
@@ -130,7 +119,7 @@ fn in_packs<'t>(
             .filter(move |system| system.is_of(application));
         own.flat_map(base_meshes).collect()
     };
-    let all = asked(applications, systems, options).into_iter();
+    let all = asked(systems, options).into_iter();
     let all: Vec<_> = all.map(|one| (one, bases_of(one))).collect();
     let mut found = Vec::new();
     for (pack, certain) in packs {
@@ -144,15 +133,11 @@ fn in_packs<'t>(
     Ok(found)
 }
 
-/// The layouts of all data roots of an input that are checked, each layout once.
-fn layouts_of(
-    roots: &BTreeMap<String, Vec<&'static Layout>>,
-    applications: &[Application],
-) -> Vec<&'static Layout> {
+/// The layouts of all data roots of an input, each once.
+fn layouts_of(roots: &BTreeMap<String, Vec<&'static Layout>>) -> Vec<&'static Layout> {
     let all = roots.values().flatten();
     let all: BTreeMap<_, _> = all.map(|one| (one.application, *one)).collect();
-    let is_checked = |one: &&Layout| applications.contains(&one.application);
-    all.into_values().filter(is_checked).collect()
+    all.into_values().collect()
 }
 
 /// The path of the only data root in all inputs; `None` if there are none or several.
@@ -171,7 +156,6 @@ impl<'t> Roots<'t> {
         systems: &'t [Tree],
         scope: &Scope<'_>,
         options: &Config,
-        applications: &[Application],
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let (mut packs, mut folders) = (Vec::new(), Vec::new());
@@ -182,12 +166,12 @@ impl<'t> Roots<'t> {
                 None => folders.push(input),
             }
         }
-        let mut systems = all_systems(systems, applications)?;
+        let mut systems = all_systems(systems)?;
         // MPFB shares the users' folders of MakeHuman 1. If the user names no application, such a
         // folder is taken for one of MPFB only if data of MPFB are given.
         let mut at_hand = options.applications.clone();
         if at_hand.is_empty() {
-            at_hand = with_data(applications, &systems);
+            at_hand = with_data(&systems);
         }
         let bases: BTreeSet<String> = systems
             .iter()
@@ -207,18 +191,16 @@ impl<'t> Roots<'t> {
         let taken = Taken {
             systems: &systems,
             options,
-            applications,
         };
         let found = taken.all(found);
         let given = Given::of(&systems, options);
-        let mut packed_places = in_packs(&packs, &systems, options, applications)?;
-        let asked: Vec<Application> = applications
-            .iter()
-            .copied()
+        let mut packed_places = in_packs(&packs, &systems, options)?;
+        let asked: Vec<Application> = Application::ALL
+            .into_iter()
             .filter(|application| options.asks_for(*application))
             .collect();
         for (input, roots) in &found {
-            let layouts = layouts_of(roots, applications);
+            let layouts = layouts_of(roots);
             packed_places.extend(faults(input, &layouts).map(|place| (place, Arc::default())));
         }
         // The files that lie outside of data roots and are no loose assets: those that belong to a
@@ -256,10 +238,12 @@ impl<'t> Roots<'t> {
                     .iter()
                     .copied()
                     .filter(|layout| options.asks_for(layout.application));
-                let (checked, others) =
-                    asked.partition(|layout| applications.contains(&layout.application));
-                let inner = inner(&input.tree, all, path, layouts);
-                wanted.add(input, path, inner, [checked, others], outcome);
+                let asked: Vec<_> = asked.collect();
+                if !asked.is_empty() {
+                    let inner = inner(&input.tree, all, path, layouts);
+                    let place = Place::around(&input.tree, path, &asked, inner);
+                    wanted.want(place, Arc::clone(&input.narrow));
+                }
             }
         }
         for (place, narrow) in outside {
@@ -282,27 +266,6 @@ struct Wanted<'t> {
 }
 
 impl<'t> Wanted<'t> {
-    /// Adds a data root. `checked` are its layouts that the user asks for and that are checked,
-    /// `others` those that the user asks for and that this program cannot check.
-    fn add(
-        &mut self,
-        input: &'t Input,
-        path: &str,
-        inner: BTreeSet<String>,
-        [checked, others]: [Vec<&'static Layout>; 2],
-        outcome: &mut Outcome,
-    ) {
-        if !checked.is_empty() {
-            self.want(
-                Place::around(&input.tree, path, &checked, inner),
-                Arc::clone(&input.narrow),
-            );
-        }
-        for layout in others {
-            note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
-        }
-    }
-
     /// Adds a place to check. If two PATHs lead to the same place it is checked once, for
     /// everything that either PATH asks for.
     fn want(&mut self, place: Place<'t>, narrow: Arc<Narrow>) {
@@ -352,19 +315,16 @@ fn found_in<'i>(
 
 /// The data roots of all `--system` folders. Two different ones for one application are an error,
 /// because nobody can tell which of them is meant.
-fn all_systems<'t>(
-    trees: &'t [Tree],
-    applications: &[Application],
-) -> Result<Vec<Place<'t>>, Error> {
-    let mut all: Vec<Place<'t>> = Vec::new();
+fn all_systems(trees: &[Tree]) -> Result<Vec<Place<'_>>, Error> {
+    let mut all: Vec<Place<'_>> = Vec::new();
     for tree in trees {
-        for place in system_places(tree, applications)? {
+        for place in system_places(tree)? {
             let is_twice = |one: &&Application| {
                 place.is_of(**one) && all.iter().any(|other| other.is_of(**one))
             };
             let first =
                 |one: Application| all.iter().find(|other| other.is_of(one)).map(Place::path);
-            match applications
+            match Application::ALL
                 .iter()
                 .find(is_twice)
                 .and_then(|one| Some((*one, first(*one)?)))
@@ -386,15 +346,12 @@ fn all_systems<'t>(
 }
 
 /// The data roots in one `--system` folder: for each application the first.
-pub(super) fn system_places<'t>(
-    tree: &'t Tree,
-    applications: &[Application],
-) -> Result<Vec<Place<'t>>, Error> {
+pub(super) fn system_places(tree: &Tree) -> Result<Vec<Place<'_>>, Error> {
     let is_system = |path: &str, layout: &'static Layout| {
         layout.shares_roots_of.is_none()
             || (layout.role)(&candidates(tree, path, &[layout])) != Role::User
     };
-    let roots = roots_of(tree, &[], |application| applications.contains(&application)).into_iter();
+    let roots = roots_of(tree, &[], |_| true).into_iter();
     // A folder that MPFB shares with MakeHuman 1 is a user's folder and cannot be system data; the
     // data of MPFB itself can.
     let roots = roots.map(|(path, mut layouts)| {
@@ -402,17 +359,16 @@ pub(super) fn system_places<'t>(
         (path, layouts)
     });
     let mut places = places(tree, roots.filter(|(_, layouts)| !layouts.is_empty()));
-    let mut missing = applications.to_vec();
+    let mut missing = Application::ALL.to_vec();
     places.retain(|place| {
         let wanted = missing.len();
         missing.retain(|application| !place.is_of(*application));
         missing.len() < wanted
     });
-    let nothing = || PathFault::NoDataOf(applications.to_vec());
     if places.is_empty() {
         Err(Error::Path {
             path: tree.label().to_owned(),
-            fault: nothing(),
+            fault: PathFault::NoData,
         })
     } else {
         Ok(places)
@@ -545,27 +501,6 @@ fn note_outside<'p, 't: 'p>(
             outcome.not_checked.push(NotChecked::of(None, what, paths));
         }
     }
-}
-
-fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
-    let (root, application) = (place.path(), layout.application);
-    let path = shown(&root).to_owned();
-    let files = place.below.iter().filter(|file| file.is_file());
-    let files = files
-        .map(|file| place.tree.shown(&file.entry.path))
-        .collect();
-    outcome.not_checked.push(NotChecked::of(
-        Some(application),
-        Unchecked::Application,
-        files,
-    ));
-    outcome.roots.push(RootSummary {
-        path,
-        application,
-        bases: Vec::new(),
-        identity: Identity::default(),
-        checked: false,
-    });
 }
 
 /// A path as it is printed: `.` for the working directory, whose path is empty.

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use super::input::{Input, open, open_system};
 use crate::error::Error;
 use mhlint_config::{Before, Config};
-use mhlint_diag::Application;
 use mhlint_discover::is_read_though_hidden;
 use mhlint_source::{
     Contents, Limits, Tree, folder_name, has_hidden_part, own_place, resolved, slashed,
@@ -20,11 +19,7 @@ pub(crate) struct Side {
 }
 
 /// Opens the paths as they are to be checked, and as they were if they are to be compared.
-pub(crate) fn sides(
-    paths: &[PathBuf],
-    options: &Config,
-    applications: &[Application],
-) -> Result<(Side, Option<Side>), Error> {
+pub(crate) fn sides(paths: &[PathBuf], options: &Config) -> Result<(Side, Option<Side>), Error> {
     let open_systems = || {
         options
             .systems
@@ -33,7 +28,7 @@ pub(crate) fn sides(
             .collect::<Result<Vec<_>, _>>()
     };
     let folder = Side {
-        inputs: open(paths, applications, &options.limits)?,
+        inputs: open(paths, &options.limits)?,
         systems: open_systems()?,
     };
     let Some(compare) = &options.compare else {
@@ -42,7 +37,7 @@ pub(crate) fn sides(
     let before = match &compare.before {
         Before::Contents(contents) => folder.with(contents),
         Before::Folder(other) => {
-            let mut inputs = open(std::slice::from_ref(other), applications, &options.limits)?;
+            let mut inputs = open(std::slice::from_ref(other), &options.limits)?;
             // What is the same on both sides has the same path.
             for (input, now) in inputs.iter_mut().zip(&folder.inputs) {
                 input.tree.relabel(now.tree.label());

@@ -15,8 +15,6 @@ use mhlint_source::inside;
 pub(super) struct Taken<'t, 's> {
     pub(super) systems: &'s [Place<'t>],
     pub(super) options: &'s Config,
-    /// Those that are checked.
-    pub(super) applications: &'s [Application],
 }
 
 /// Data roots by path.
@@ -60,9 +58,7 @@ impl Taken<'_, '_> {
     /// The applications that have data of their own in the run, by `--system` or among what is
     /// checked.
     fn known(&self, found: &[Found<'_>]) -> BTreeSet<Application> {
-        let mut known: BTreeSet<Application> = with_data(self.applications, self.systems)
-            .into_iter()
-            .collect();
+        let mut known: BTreeSet<Application> = with_data(self.systems).into_iter().collect();
         for (input, roots) in found {
             for (path, layouts) in roots {
                 let is_system = |one: &&&Layout| {
@@ -111,11 +107,10 @@ impl Taken<'_, '_> {
     ) -> Vec<&'static Layout> {
         let is_meant = |layout: &&'static Layout| {
             known.contains(&layout.application)
-                || !self.applications.contains(&layout.application)
                 || evidence(listing, path, layout.application).is_certain
         };
         let meant: Vec<&'static Layout> = layouts.iter().copied().filter(is_meant).collect();
-        let given = with_data(self.applications, self.systems);
+        let given = with_data(self.systems);
         // A folder for a base mesh in each library is for nobody else.
         match meant.is_empty() {
             false => meant,

@@ -8,10 +8,10 @@ use super::idle::{is_for_listed, reached};
 use super::named::NamedRules;
 use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
-use crate::catalogue::listed;
 use mhlint_config::{Config, Date, Globs, Ignore};
 use mhlint_diag::{IgnoreState, IgnoreUse, Place, UnknownRule};
 use mhlint_repo::FileFacts;
+use mhlint_rules::RULES;
 use mhlint_source::{Outer, Tree, file_name};
 
 /// The ignores of a run, and which of them hid something so far.
@@ -215,7 +215,7 @@ impl<'c> Ignores<'c> {
             .named
             .of(rule)
             .iter()
-            .any(|rule| listed().any(|listed| listed.info.id == *rule));
+            .any(|rule| RULES.iter().any(|known| known.info.id == *rule));
         is_unknown.then(|| IgnoreState::UnknownRule {
             nearest: self.named.nearest(rule),
         })

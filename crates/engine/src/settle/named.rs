@@ -5,7 +5,6 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use crate::catalogue::listed;
 use mhlint_config::Selector;
 use mhlint_diag::Suggestions;
 use mhlint_rules::RULES;
@@ -37,7 +36,7 @@ impl NamedRules {
     /// The rule whose name is most like a text.
     pub(super) fn nearest(&self, text: &str) -> Option<&'static str> {
         self.suggestions
-            .nearest(text, listed().map(|rule| rule.info.id))
+            .nearest(text, RULES.iter().map(|rule| rule.info.id))
     }
 }
 

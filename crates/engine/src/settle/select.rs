@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::answered::Answered;
-use crate::catalogue::{is_upkeep, listed, named};
+use crate::catalogue::{is_upkeep, named};
 use crate::error::{Error, SelectorFault};
 use mhlint_config::{Config, ConfigFile, Globs, Selector};
 use mhlint_diag::{Level, nearest};
@@ -226,7 +226,7 @@ fn refuse_empty_select(config: &Config) -> Result<(), Error> {
     let Some(first) = file.select.first() else {
         return Ok(());
     };
-    if listed().any(|rule| fits(&file.select, rule.info.id)) {
+    if RULES.iter().any(|rule| fits(&file.select, rule.info.id)) {
         return Ok(());
     }
     let place = format!("{}:{}", file.path, file.line_at(&first.span));
@@ -252,7 +252,7 @@ fn selector(text: &str) -> Result<Selector, Error> {
     };
     let selector =
         Selector::new(text, 0..0).map_err(|error| refuse(SelectorFault::NoGlob(error)))?;
-    if listed().any(|rule| selector.fits(rule.info.id)) {
+    if RULES.iter().any(|rule| selector.fits(rule.info.id)) {
         return Ok(selector);
     }
     Err(refuse(if text.contains(',') {
@@ -266,5 +266,5 @@ fn selector(text: &str) -> Result<Selector, Error> {
 
 /// The rule whose name is most like a text.
 fn like(text: &str) -> Option<&'static str> {
-    nearest(text, listed().map(|rule| rule.info.id))
+    nearest(text, RULES.iter().map(|rule| rule.info.id))
 }
