@@ -47,7 +47,8 @@ pub fn lint_trees(
     lint_sides(&Side::of(trees, systems), None, options)
 }
 
-/// The same, with what is new or worse than in the trees before.
+/// Checks data roots in trees as they are now, and reports what is new or worse than in the trees
+/// before; each with its system data.
 ///
 /// # Errors
 /// As [`lint`].
@@ -85,8 +86,7 @@ struct Found {
     all: Vec<Finding>,
 }
 
-/// Checks what one side holds; beside another one only what is new or worse
-/// is reported.
+/// Checks what one side holds; beside another one only what is new or worse is reported.
 pub(super) fn lint_sides(
     now: &Side,
     before: Option<&Side>,

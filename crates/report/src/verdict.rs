@@ -59,8 +59,9 @@ pub(super) fn files(summary: &Summary) -> String {
 
 /// The checked data roots: path, application, base meshes. Not made harmless yet.
 pub(super) fn roots(outcome: &Outcome) -> Vec<String> {
-    let roots = outcome.roots.iter();
-    roots
+    outcome
+        .roots
+        .iter()
         .map(|root| {
             let bases = if root.bases.is_empty() {
                 String::new()

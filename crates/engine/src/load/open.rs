@@ -5,9 +5,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::data::Data;
+use super::found::roots_of;
 use super::input::{open, open_system};
 use super::layer::list_targets;
-use super::roots::{Roots, checked_places, system_places, with_data};
+use super::roots::{Roots, places, system_places, with_data};
 use super::stack::Stack;
 use crate::Error as RunError;
 use mhlint_diag::nearest;
@@ -42,7 +43,9 @@ pub fn open_base(
         .flatten()
         .collect();
     let at_hand = with_data(&systems);
-    let checked = given.iter().flat_map(|tree| checked_places(tree, &at_hand));
+    let checked = given
+        .iter()
+        .flat_map(|tree| places(tree, roots_of(tree, &at_hand, |_| true)));
     let checked: Vec<_> = checked.map(|place| (place, Arc::default())).collect();
     if checked.is_empty() {
         return Err(no_data(root));

@@ -7,7 +7,7 @@ use super::super::settle::Scope;
 use super::found::roots_of;
 use super::input::open;
 use super::place::Place;
-use super::roots::{Roots, checked_places};
+use super::roots::{Roots, places};
 use mhlint_config::Config;
 use mhlint_diag::{Application, Outcome};
 use mhlint_discover::{Kind, is_read_though_hidden};
@@ -76,11 +76,10 @@ fn system_near(folder: &Path, reading: &[Application]) -> Option<(String, Vec<Ap
         LEVELS,
         is_read_though_hidden,
     );
-    let systems = checked_places(&tree, &[]);
-    let is_read = |place: &&Place<'_>| reading.iter().any(|one| place.is_of(*one));
+    let systems = places(&tree, roots_of(&tree, &[], |one| reading.contains(&one)));
     let system = systems
         .iter()
-        .filter(|place| is_read(place) && has_base_mesh(place))
+        .filter(|place| has_base_mesh(place))
         .min_by_key(|place| place.path().matches('/').count())?;
     let applications = reading
         .iter()

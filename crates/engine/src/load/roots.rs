@@ -39,13 +39,8 @@ pub(super) fn with_data(places: &[Place<'_>]) -> Vec<Application> {
         .collect()
 }
 
-/// The data roots in a tree. `asked` are the applications that the user named with `--app`, or gave
-/// data of.
-pub(super) fn checked_places<'t>(tree: &'t Tree, asked: &[Application]) -> Vec<Place<'t>> {
-    places(tree, roots_of(tree, asked, |_| true))
-}
-
-fn places(
+/// The data roots of a tree with what is in them.
+pub(super) fn places(
     tree: &Tree,
     roots: impl IntoIterator<Item = (String, Vec<&'static Layout>)>,
 ) -> Vec<Place<'_>> {
@@ -234,11 +229,11 @@ impl<'t> Roots<'t> {
         {
             let shown = input.tree.shown(path);
             if !scope.excludes(&shown) && !below.contains(&shown) {
-                let asked = layouts
+                let asked: Vec<_> = layouts
                     .iter()
                     .copied()
-                    .filter(|layout| options.asks_for(layout.application));
-                let asked: Vec<_> = asked.collect();
+                    .filter(|layout| options.asks_for(layout.application))
+                    .collect();
                 if !asked.is_empty() {
                     let inner = inner(&input.tree, all, path, layouts);
                     let place = Place::around(&input.tree, path, &asked, inner);

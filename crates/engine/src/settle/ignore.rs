@@ -11,7 +11,6 @@ use super::select::{Selection, cannot_be_ignored};
 use mhlint_config::{Config, Date, Globs, Ignore};
 use mhlint_diag::{IgnoreState, IgnoreUse, Place, UnknownRule};
 use mhlint_repo::FileFacts;
-use mhlint_rules::RULES;
 use mhlint_source::{Outer, Tree, file_name};
 
 /// The ignores of a run, and which of them hid something so far.
@@ -211,14 +210,12 @@ impl<'c> Ignores<'c> {
         if cannot_be_ignored(rule) {
             return Some(IgnoreState::CannotBeIgnored);
         }
-        let is_unknown = !self
-            .named
+        self.named
             .of(rule)
-            .iter()
-            .any(|rule| RULES.iter().any(|known| known.info.id == *rule));
-        is_unknown.then(|| IgnoreState::UnknownRule {
-            nearest: self.named.nearest(rule),
-        })
+            .is_empty()
+            .then(|| IgnoreState::UnknownRule {
+                nearest: self.named.nearest(rule),
+            })
     }
 
     /// Whether the command line turned off a rule that the ignore is for, or the ignore names no

@@ -9,10 +9,10 @@ use super::compare::{Claim, Comparison, Standing, compare};
 use super::identify::Placed;
 use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
+use crate::catalogue::named;
 use crate::error::{BaselineFault, Error};
 use mhlint_config::Config;
 use mhlint_diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
-use mhlint_rules::RULES;
 use mhlint_source::{Folder, canonical, holds, slashed};
 
 /// The baseline of a run. It is read before the run begins.
@@ -231,8 +231,8 @@ impl Known {
 
     /// Whether this run would have found the finding of an entry if it were still there.
     fn is_checked(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
-        let exists = RULES.iter().any(|rule| rule.info.id == entry.rule);
-        !exists || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)
+        named(&entry.rule).is_none()
+            || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)
     }
 }
 

@@ -29,8 +29,10 @@ impl<'v, 'a> Neighbours<'v, 'a> {
             .collect();
         let free = catalog.layer.below("targets");
         let free = free.filter(|file| !used.contains(file.path.as_str()));
-        let free = free.map(|file| (file.rel.as_str(), stem(file.file_name()), file.file_name()));
-        let free = free.filter(|(_, stem, name)| stem != name);
+        let free = free.filter_map(|file| {
+            let name = stem(file.file_name());
+            (name != file.file_name()).then_some((file.rel.as_str(), name))
+        });
         let targets = catalog
             .layer
             .below("targets")
@@ -38,7 +40,7 @@ impl<'v, 'a> Neighbours<'v, 'a> {
         let by_name = targets.map(|file| (stem(file.file_name()), file)).collect();
         Self {
             catalog,
-            free: free.map(|(rel, stem, _)| (rel, stem)).collect(),
+            free: free.collect(),
             by_name,
             suggestions: Suggestions::default(),
         }
