@@ -1,6 +1,6 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
-use super::super::cause::component::patterns;
+use super::super::cause::component::{Readers, patterns};
 use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
 use super::component::unknown_patterns;
@@ -9,7 +9,7 @@ use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, poin
 use mhlint_formats::macro_json::{MacroFile, Macrodef};
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -39,7 +39,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if base.lacks_macrodef() {
         return; // The positions behind it are off by one.
     }
-    let readers = readers(macros);
+    let readers = Readers::of(macros, patterns);
+    let named: BTreeSet<String> = macros.components.iter().flat_map(patterns).collect();
     let doubled = doubled(base);
     for bound in &base.sliders {
         let names = match &bound.pattern {
@@ -54,26 +55,22 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .flatten()
             .copied()
             .collect();
-        if listed.is_empty()
-            || is_only_in_unused(&readers, names)
-            || is_misshapen(bound)
-            || doubled.contains(names)
-        {
+        if listed.is_empty() || is_misshapen(bound) || doubled.contains(names) {
             continue;
         }
-        let used: BTreeSet<i64> = names
-            .iter()
-            .filter_map(|name| readers.get(name))
-            .flatten()
-            .copied()
-            .collect();
+        let used: BTreeSet<i64> = readers.of_any(names).into_iter().map(index).collect();
+        // Only components that no definition uses read the slider.
+        if used.is_empty() && names.iter().any(|name| named.contains(name)) {
+            continue;
+        }
         let missing: Vec<i64> = used
             .difference(&listed)
             .copied()
             .filter(|at| !unsure.contains(at))
             .collect();
-        let superfluous = listed.difference(&used).copied();
-        let superfluous: Vec<i64> = superfluous
+        let superfluous: Vec<i64> = listed
+            .difference(&used)
+            .copied()
             .filter(|at| (0..last).contains(at) && !unsure.contains(at))
             .collect();
         // With nothing right in the list the indices out of range are the cause.
@@ -149,25 +146,6 @@ fn index(macrodef: &Macrodef) -> i64 {
     i64::try_from(macrodef.index).unwrap_or(i64::MAX)
 }
 
-/// The definitions that read a slider, by the patterns of their components; none for a component
-/// that nothing uses.
-fn readers(macros: &MacroFile) -> BTreeMap<String, BTreeSet<i64>> {
-    let mut users: BTreeMap<&str, BTreeSet<i64>> = BTreeMap::new();
-    for macrodef in &macros.macrodefs {
-        for name in &macrodef.components {
-            users.entry(name).or_default().insert(index(macrodef));
-        }
-    }
-    let mut readers: BTreeMap<String, BTreeSet<i64>> = BTreeMap::new();
-    for component in &macros.components {
-        for pattern in patterns(component) {
-            let users = users.get(component.name.as_str()).into_iter().flatten();
-            readers.entry(pattern).or_default().extend(users);
-        }
-    }
-    readers
-}
-
 /// Whether a definition might read a slider, were it not for another fault.
 fn is_unsure(
     base: &Base<'_>,
@@ -184,12 +162,6 @@ fn is_unsure(
                 patterns(component).is_empty() || !unknown_patterns(base, component).is_empty()
             })
         })
-}
-
-/// Whether only components that no definition uses read the slider.
-fn is_only_in_unused(readers: &BTreeMap<String, BTreeSet<i64>>, names: &[String]) -> bool {
-    let mut known = names.iter().filter_map(|name| readers.get(name)).peekable();
-    known.peek().is_some() && known.all(BTreeSet::is_empty)
 }
 
 fn difference(missing: &[i64], superfluous: &[i64]) -> String {

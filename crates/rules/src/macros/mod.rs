@@ -6,6 +6,7 @@ pub(super) mod combination_patterns;
 mod component;
 mod fit;
 mod holders;
+mod homes;
 mod lacking_component;
 mod links;
 mod listing;

@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::holders::Holders;
+use super::homes::Homes;
 use super::lacking_component;
 use super::listing::Listing;
 use super::misspelt_value::{MisspeltValue, Tokens, misspelt_values, other_component};
@@ -11,7 +12,7 @@ use super::titles;
 use mhlint_diag::{
     Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
-use mhlint_formats::macro_json::{MacroFile, Macrodef};
+use mhlint_formats::macro_json::Macrodef;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
@@ -35,7 +36,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else {
         return;
     };
-    let homes = homes(macros);
+    let homes = Homes::of(macros);
     let misspelt = misspelt_values(file, macros, &cx.suggestions);
     out.extend(misspelt.iter().map(|value| finding_on_value(file, value)));
     let (explained, holders) = (Tokens::of(&misspelt), Holders::of(macros));
@@ -59,7 +60,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .iter()
             .filter(|stranger| !explained.contain(&space, &stranger.slip));
         let groups = grouped(unexplained.map(|stranger| {
-            let home = home(&homes, macrodef, &stranger.link.name);
+            let home = homes.of_name(&stranger.link.name, macrodef);
             (
                 (home.map(|home| home.index), stranger.slip.clone()),
                 stranger,
@@ -188,30 +189,4 @@ fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> 
             .help("list the components of the names in `comp`")
             .evidence(Evidence::of_cases(names())),
     )
-}
-
-/// The definitions whose components can be told; of those with the same components the first.
-fn homes(macros: &MacroFile) -> Vec<(&Macrodef, Space<'_>)> {
-    let mut seen: BTreeSet<&[String]> = BTreeSet::new();
-    let first = macros
-        .macrodefs
-        .iter()
-        .filter(|macrodef| seen.insert(&macrodef.components));
-    first
-        .filter_map(|macrodef| Some((macrodef, Space::of(macros, macrodef)?)))
-        .collect()
-}
-
-/// A definition with other components that generates the name.
-fn home<'a>(
-    homes: &[(&'a Macrodef, Space<'_>)],
-    own: &Macrodef,
-    name: &str,
-) -> Option<&'a Macrodef> {
-    let mut others = homes
-        .iter()
-        .filter(|(other, _)| other.components != own.components);
-    others
-        .find(|(_, space)| space.parse(name).is_some())
-        .map(|(other, _)| *other)
 }

@@ -3,8 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Rule, RuleCx, did_you_mean, shown, such};
+use super::super::{Rule, RuleCx, did_you_mean, shown};
 use super::beside::free_pictures;
+use super::faulty_lines::{FaultyLine, Lines, at};
 use super::picture::fault;
 use super::something_else;
 use super::spelling::{self, Meant};
@@ -15,37 +16,6 @@ use mhlint_formats::python_float;
 use mhlint_repo::mpfb::{self, Look, Reads, Set, key_names};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer};
 use mhlint_source::{first_name, parent};
-
-/// Lines of one fault in a material: one finding.
-struct Lines<'l> {
-    rule: &'l Rule,
-    file: &'l FileFacts,
-    case: Case,
-}
-
-impl Lines<'_> {
-    fn told(&self, faults: &[(Place, String, String)], help: &str) -> Option<Finding> {
-        let (place, key, message) = faults.first()?;
-        let message = format!("{message}{}", such(faults.len(), "lines"));
-        let finding = self
-            .rule
-            .at(self.file, place.clone(), message)
-            .key(key)
-            .case(self.case)
-            .help(help);
-        Some(finding.evidence(Evidence::of_cases(
-            faults.iter().map(|(_, key, _)| key.clone()),
-        )))
-    }
-}
-
-fn at(set: &Set<'_>) -> Place {
-    if set.value.is_empty() {
-        Place::Line(set.statement.number)
-    } else {
-        Place::Span(set.statement.value.span.clone())
-    }
-}
 
 const NO_VALUE: Case = &[(
     Mpfb,
@@ -76,13 +46,12 @@ const NO_COLOUR: Case = &[(
 /// Keywords without what has to stand behind them.
 pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for look in view.looks() {
-        let of = |wanted: fn(&Set<'_>) -> bool,
-                  message: fn(&Set<'_>) -> String|
-         -> Vec<(Place, String, String)> {
-            let own = look.lines.iter().filter(|set| wanted(set));
-            own.map(|set| (at(set), set.key.name.to_owned(), message(set)))
-                .collect()
-        };
+        let of =
+            |wanted: fn(&Set<'_>) -> bool, message: fn(&Set<'_>) -> String| -> Vec<FaultyLine> {
+                let own = look.lines.iter().filter(|set| wanted(set));
+                own.map(|set| (at(set), set.key.name.to_owned(), message(set)))
+                    .collect()
+            };
         let lines = |case| Lines {
             rule,
             file: look.file,
@@ -108,7 +77,7 @@ pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 }
 
 /// Tags are joined: one without a value cannot be put behind another.
-fn empty_tags<'l>(look: &'l Look<'_>) -> impl Iterator<Item = (Place, String, String)> + use<'l> {
+fn empty_tags<'l>(look: &'l Look<'_>) -> impl Iterator<Item = FaultyLine> + use<'l> {
     let tags = look.lines.iter().filter(|set| set.key.name == "tag");
     let behind = tags.skip_while(|set| set.value.is_empty());
     let empty = behind.filter(|set| set.value.is_empty() && !set.statement.ends_file);
@@ -135,10 +104,7 @@ pub(super) fn values(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             file: look.file,
             case,
         };
-        let of = |reads: Reads,
-                  is_wrong: fn(&str) -> bool,
-                  what: &str|
-         -> Vec<(Place, String, String)> {
+        let of = |reads: Reads, is_wrong: fn(&str) -> bool, what: &str| -> Vec<FaultyLine> {
             let own = look
                 .lines
                 .iter()
@@ -412,7 +378,7 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
 }
 
 /// A word that is meant as a keyword.
-fn misspelt(word: &Word, cx: &RuleCx<'_>) -> Option<(Place, String, String)> {
+fn misspelt(word: &Word, cx: &RuleCx<'_>) -> Option<FaultyLine> {
     let Meant::Keyword(meant) = spelling::meant(&word.text, is_key, &cx.suggestions) else {
         return None;
     };

@@ -15,6 +15,7 @@ pub(crate) mod conflicting_maps;
 pub(crate) mod duplicate_keyword;
 pub(crate) mod embedding;
 mod fault;
+mod faulty_lines;
 pub(crate) mod ignored_key;
 mod loader;
 pub(crate) mod missing_litsphere;

@@ -12,6 +12,7 @@ mod no_faces;
 mod no_uv;
 mod non_finite;
 mod not_manifold;
+mod packed_difference;
 mod packed_mesh;
 mod partial_uv;
 mod pole;

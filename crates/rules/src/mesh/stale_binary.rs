@@ -1,7 +1,7 @@
 //! `base.mhbin` and the OBJ that it was packed from are the same mesh.
 
-use super::super::units::length;
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx};
+use super::packed_difference::PackedDifference;
 use super::packed_mesh;
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -9,8 +9,8 @@ use mhlint_diag::{
 };
 use mhlint_formats::mesh_difference::MeshDifference;
 use mhlint_formats::obj::Mesh;
+use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, Lies, UnreadMesh, View};
-use mhlint_repo::{FileFacts, Landmarks};
 
 pub(crate) static RULE: Rule = Check::EachBase(
     run,
@@ -67,17 +67,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         };
         let difference = MeshDifference::between(packed, mesh);
         if !difference.is_none() {
-            let landmarks = view.landmarks(archive);
-            out.push(finding(
-                at,
-                archive,
-                text,
-                &Told {
-                    packed,
-                    landmarks,
-                    difference: &difference,
-                },
-            ));
+            let found = PackedDifference {
+                packed,
+                landmarks: view.landmarks(archive),
+                difference: &difference,
+            };
+            out.push(finding(at, archive, text, &found));
         }
     }
 }
@@ -92,32 +87,16 @@ fn is_whole(mesh: &Mesh) -> bool {
     facts.non_finite.count == 0 && facts.partial_uv.is_empty() && named
 }
 
-/// What an archive is reported for.
-struct Told<'m> {
-    packed: &'m Mesh,
-    /// Where its vertices are.
-    landmarks: Option<Landmarks<'m>>,
-    difference: &'m MeshDifference,
-}
-
-impl Told<'_> {
-    /// With other counts, either of the two may be the mesh that everything else was made for.
-    fn help(&self) -> &'static str {
-        if self.difference.vertices.is_some() || self.difference.faces.is_some() {
-            "find out which mesh the targets and weights are for (`numverts` of base.json); then \
-             restore base.obj, or rebuild base.mhbin from it with compile_meshes.py"
-        } else {
-            "if base.obj is the right one, move base.mhbin away, or rebuild it with \
-                compile_meshes.py"
-        }
-    }
-}
-
-fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &Told<'_>) -> Finding {
-    let kinds = told.kinds();
+fn finding(
+    at: &FileFacts,
+    archive: &FileFacts,
+    text: &UnreadMesh<'_>,
+    found: &PackedDifference<'_>,
+) -> Finding {
+    let kinds = found.kinds();
     let what: Vec<&str> = kinds.iter().map(|(_, what)| what.as_str()).collect();
     let (case, help, other): (Case, _, _) = match text.lies {
-        Lies::Beside => (&[], told.help(), text.file),
+        Lies::Beside => (&[], found.help(), text.file),
         Lies::Above => (
             ABOVE,
             "pack the user's base.obj with compile_meshes.py as well",
@@ -137,80 +116,12 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
         Place::File,
         "the other mesh",
     );
-    match told.difference.farthest {
+    match found.difference.farthest {
         Some((vertex, distance)) => {
-            let moved = Evidence::counted(told.difference.moved).out_of(told.packed.facts.vertices);
+            let moved =
+                Evidence::counted(found.difference.moved).out_of(found.packed.facts.vertices);
             finding.evidence(moved.with_worst(f64::from(distance), format!("vertex {vertex}")))
         }
         None => finding,
     }
-}
-
-impl Told<'_> {
-    /// Everything that differs: a name for it, and words.
-    fn kinds(&self) -> Vec<(&'static str, String)> {
-        let found = self.difference;
-        let kinds = [
-            (
-                "vertices",
-                found
-                    .vertices
-                    .map(|[packed, text]| format!("{packed} vertices instead of {text}")),
-            ),
-            (
-                "positions",
-                found.farthest.map(|farthest| self.moved(farthest)),
-            ),
-            (
-                "faces",
-                found
-                    .faces
-                    .map(|[packed, text]| format!("{packed} faces instead of {text}")),
-            ),
-            ("corners", several(found.other_faces, "with other corners")),
-            ("groups", self.groups()),
-            ("grouping", several(found.regrouped, "in another group")),
-            (
-                "texture",
-                several(found.retextured, "with other texture coordinates"),
-            ),
-        ];
-        kinds
-            .into_iter()
-            .filter_map(|(kind, words)| Some((kind, words?)))
-            .collect()
-    }
-
-    fn moved(&self, (vertex, distance): (u32, f32)) -> String {
-        let vertices = self.packed.facts.vertices;
-        let at = self
-            .landmarks
-            .as_ref()
-            .map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(vertex));
-        let (moved, by) = (self.difference.moved, length(distance));
-        match moved {
-            1 => format!("{at} moved by {by}"),
-            _ => format!("{moved} of {vertices} vertices moved, {at} farthest, by {by}"),
-        }
-    }
-
-    fn groups(&self) -> Option<String> {
-        let [packed, text] = &self.difference.groups;
-        match (packed.first(), text.first()) {
-            (None, None) => None,
-            (Some(own), None) => Some(format!(
-                "{}, first `{own}`",
-                counted(packed.len(), "additional group")
-            )),
-            (None, Some(other)) => Some(format!(
-                "{}, first `{other}`",
-                counted(text.len(), "missing group")
-            )),
-            (Some(own), Some(other)) => Some(format!("group `{own}` instead of `{other}`")),
-        }
-    }
-}
-
-fn several(faces: usize, what: &str) -> Option<String> {
-    (faces > 0).then(|| format!("{} {what}", counted(faces, "face")))
 }

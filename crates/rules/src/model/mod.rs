@@ -8,6 +8,7 @@ pub(crate) mod material;
 mod missing_file;
 pub(crate) mod modifier;
 mod modifier_repeated;
+mod modifier_unknown;
 mod modifier_value;
 mod mpfb_asset;
 mod mpfb_lines;

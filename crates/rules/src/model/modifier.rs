@@ -1,17 +1,15 @@
 //! Each modifier of a model is the pattern of a slider, with a value in the range of that slider.
 
-use std::collections::BTreeSet;
-
 use super::super::cause::overlay::has_sliders;
 use super::super::cause::schema::is_faulty;
-use super::super::{Check, Rule, RuleCx, counted, did_you_mean, such};
-use super::known_pattern::Known;
+use super::super::{Check, Rule, RuleCx, counted, such};
 use super::modifier_repeated::repeated;
+use super::modifier_unknown::unknown;
 use super::modifier_value::{Faulty, faulty};
 use super::{makehuman1, mpfb_modifier, own, when};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+    Cases, Evidence, Finding, Level, Place, RuleInfo,
 };
 use mhlint_formats::mhm::{Modifier, ModifierFault};
 use mhlint_repo::makehuman2::{Base, SavedModel, View};
@@ -56,7 +54,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         }
     }
     if can_tell {
-        out.extend(unknown(view, base, cx));
+        out.extend(unknown(&RULE, view, base, cx));
     }
 }
 
@@ -118,93 +116,6 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     Some(finding.effect(format!("crashes with `{crash}` {}", when(saved))))
 }
 
-/// A modifier, with the model that sets it.
-type Line<'v> = (&'v SavedModel<'v>, &'v Modifier);
-
-/// Findings on patterns that no slider has. Patterns that the same models set are one finding.
-fn unknown(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
-    let known = Known::of(view, base);
-    // A pattern that a component of the macros names is reported there.
-    let macros = base
-        .macro_file()
-        .into_iter()
-        .flat_map(|(_, file)| &file.components);
-    let told: BTreeSet<&str> = macros
-        .filter_map(|component| component.pattern.as_deref())
-        .collect();
-    let is_lost = |(_, one): &Line<'_>| known.lacks(one) && !told.contains(&*one.pattern.text);
-    let lines =
-        own(view, base).flat_map(|saved| saved.model.modifiers.iter().map(move |one| (saved, one)));
-    let by_pattern = grouped(
-        lines
-            .filter(is_lost)
-            .map(|line| (&*line.1.pattern.text, line)),
-    );
-    let models = |lines: &[Line<'_>]| {
-        lines
-            .iter()
-            .map(|(saved, _)| saved.file.path.clone())
-            .collect::<Vec<_>>()
-    };
-    let by_models = grouped(
-        by_pattern
-            .into_values()
-            .map(|lines| (models(&lines), lines)),
-    );
-    let told = by_models
-        .into_values()
-        .filter_map(|patterns| unknown_in(base, &patterns, cx));
-    told.collect()
-}
-
-fn unknown_in(base: &Base<'_>, patterns: &[Vec<Line<'_>>], cx: &RuleCx<'_>) -> Option<Finding> {
-    let lines = patterns.first()?;
-    let (saved, first) = lines.first()?;
-    let models = if lines.len() > 1 {
-        format!(" ({} models)", lines.len())
-    } else {
-        String::new()
-    };
-    let message = match patterns.len() {
-        1 => format!("no slider has the pattern `{}`{models}", first.pattern.text),
-        count => format!(
-            "no slider has the pattern of {count} modifiers, first `{}`{models}",
-            first.pattern.text
-        ),
-    };
-    let known = base
-        .sliders
-        .iter()
-        .flat_map(|slider| slider.pattern.names());
-    let near = cx
-        .suggestions
-        .nearest(&first.pattern.text, known.map(String::as_str));
-    let place = |one: &Modifier| Place::Span(one.pattern.span.clone());
-    let mut finding = RULE
-        .at(saved.file, place(first), message)
-        .key("unknown")
-        .level(Level::Warning);
-    for (other, one) in lines.iter().skip(1).take(EXAMPLES - 1) {
-        finding = finding.related(other.file.path.clone(), place(one), "also here");
-    }
-    let all = patterns
-        .iter()
-        .flatten()
-        .map(|(saved, one)| (&*one.pattern.text, &saved.file.path, place(one)));
-    let finding = finding.parts_at(all).evidence(self::patterns(
-        patterns.iter().flatten().map(|(_, one)| *one),
-    ));
-    let help = did_you_mean(
-        near,
-        "write the pattern of a slider, or check the model together with the pack that has it",
-    );
-    Some(
-        finding
-            .effect("lists it as missing and does not apply it")
-            .help(help),
-    )
-}
-
 fn out_of_range(base: &Base<'_>, saved: &SavedModel<'_>) -> Option<Finding> {
     let faulty: Vec<Faulty<'_>> = saved
         .model
@@ -237,6 +148,6 @@ fn more(count: usize) -> String {
     such(count, "lines")
 }
 
-fn patterns<'m>(modifiers: impl Iterator<Item = &'m Modifier>) -> mhlint_diag::Cases {
+fn patterns<'m>(modifiers: impl Iterator<Item = &'m Modifier>) -> Cases {
     Evidence::of_cases(modifiers.map(|one| one.pattern.text.to_string()))
 }

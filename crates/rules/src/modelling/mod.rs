@@ -3,6 +3,7 @@
 //! What they share: which of the files can be checked at all when another one is damaged, and the
 //! groups and patterns that exist.
 
+mod absent_categories;
 mod barycentric_arity;
 mod blank_in_name;
 mod decr_only;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
+use super::absent_categories;
 use super::foreign;
 use super::generated;
 use super::groups::{self, Groups, Renamed};
@@ -63,7 +64,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                 .filter_map(|(category, sliders)| lost_category(view, base, category, sliders)),
         );
     }
-    no_categories(view, base, out);
+    out.extend(absent_categories::finding(&RULE, view, base));
 }
 
 /// Beginning of a message on these sliders.
@@ -191,39 +192,4 @@ fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
                 .help(format!("write `{group}` as `category|subcategory`"))
         }));
     }
-}
-
-fn no_categories(view: &View<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
-    let absent = [
-        base.categories.contarget.file(),
-        base.categories.system.file(),
-    ]
-    .iter()
-    .all(Option::is_none);
-    let Some((file, modelling)) = base.modelling.winner() else {
-        return;
-    };
-    let rel = format!("target/{}/target_cat.json", base.name);
-    // Written with other capitals it is a finding of its own.
-    let misnamed = view
-        .layers
-        .strongest_first()
-        .any(|layer| layer.file_ignoring_case(&rel).is_some());
-    // Only system data can prove that there is none.
-    let is_proven = view.layers.system.is_some() && !view.layers.is_one_root();
-    if !absent || misnamed || !is_proven || modelling.sliders.is_empty() {
-        return;
-    }
-    let message = match modelling.sliders.len() {
-        1 => "target_cat.json is missing, so the only slider is never shown".to_owned(),
-        count => format!("target_cat.json is missing, so none of the {count} sliders is shown"),
-    };
-    let help = "add a target_cat.json with an item for every group of the sliders";
-    // Generated sliders go with generated categories, which are written anew.
-    let level = if modelling.sliders.iter().all(|slider| slider.user) {
-        Level::Warning
-    } else {
-        Level::Error
-    };
-    out.push(RULE.at(file, Place::File, message).level(level).help(help));
 }

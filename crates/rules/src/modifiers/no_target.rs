@@ -133,6 +133,12 @@ fn group_finding(starts: &Starts, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -
     })
 }
 
+/// A finding on a modifier as a whole.
+fn at(one: &KnownModifier<'_>, message: String) -> Finding {
+    let place = Place::Pointer(one.modifier.pointer.clone());
+    RULE.at(one.file, place, message).key(&one.name)
+}
+
 fn macro_finding(
     present: &BTreeSet<(&str, &str)>,
     one: &KnownModifier<'_>,
@@ -147,14 +153,7 @@ fn macro_finding(
         "no target of `{}` depends on {category}",
         one.modifier.group
     );
-    let finding = RULE
-        .at(
-            one.file,
-            Place::Pointer(one.modifier.pointer.clone()),
-            message,
-        )
-        .key(&one.name)
-        .case(STOPPED);
+    let finding = at(one, message).case(STOPPED);
     Some(finding.help("correct `group`, or add the targets"))
 }
 
@@ -165,39 +164,25 @@ fn finding(
     spellings: &Spellings<'_>,
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
-    let missing: Vec<&str> = one
-        .parts
-        .iter()
-        .filter(|part| part.targets.is_empty())
-        .map(|part| part.group.as_str())
+    let missing = one.parts.iter().filter(|part| part.targets.is_empty());
+    let missing: Vec<(&str, Part)> = missing
+        .map(|part| (part.group.as_str(), part.part))
         .collect();
-    let first = *missing.first()?;
-    let all = missing.len() == one.parts.len();
-    let side = one
-        .parts
-        .iter()
-        .find(|part| part.group == first)
-        .map(|part| part.part);
+    let (group, side) = *missing.first()?;
     let what = match side {
-        Some(Part::Left) if !all => " for values below 0",
-        Some(Part::Right) if !all => " for values above 0",
-        Some(Part::Centre) if !all => " for its middle",
-        _ => "",
+        _ if missing.len() == one.parts.len() => "",
+        Part::Left => " for values below 0",
+        Part::Right => " for values above 0",
+        Part::Centre => " for its middle",
+        Part::Macro | Part::Only => "",
     };
     let message = format!(
-        "modifier `{}` has no target{what}: no file makes `{first}`",
+        "modifier `{}` has no target{what}: no file makes `{group}`",
         one.name
     );
-    let finding = RULE
-        .at(
-            one.file,
-            Place::Pointer(one.modifier.pointer.clone()),
-            message,
-        )
-        .key(&one.name);
-    let finding = finding
-        .evidence(Evidence::of_cases(missing.iter().copied()))
-        .help(help(view, one, first, spellings, cx));
+    let finding = at(one, message)
+        .evidence(Evidence::of_cases(missing.iter().map(|(group, _)| *group)))
+        .help(help(view, one, group, spellings, cx));
     let Some(slider) = meant.slider_for(one) else {
         return Some(finding);
     };

@@ -92,15 +92,8 @@ fn shared(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(other) = system.file(&file.rel) else {
             continue;
         };
-        let finding = RULE
-            .at(
-                file,
-                Place::File,
-                format!("replaces the system's `{}`", file.rel),
-            )
-            .key(&file.rel);
-        let finding = finding.related(other.path.clone(), Place::File, "the replaced file");
-        out.push(finding.help("give it a name of its own if it is not meant to replace that one"));
+        let help = "give it a name of its own if it is not meant to replace that one";
+        out.push(in_place_of(other, file).help(help));
     }
 }
 
@@ -131,16 +124,15 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(other) = shipped(file).filter(is_other) else {
             continue;
         };
-        let finding = RULE
-            .at(
-                file,
-                Place::File,
-                format!("replaces the system's `{}`", other.rel),
-            )
-            .key(&file.rel);
-        let finding = finding.related(other.path.clone(), Place::File, "the replaced file");
-        out.push(finding.help("remove it if the one of MPFB is to be used"));
+        out.push(in_place_of(other, file).help("remove it if the one of MPFB is to be used"));
     }
+}
+
+/// A file that is taken in place of one of the system.
+fn in_place_of(other: &FileFacts, file: &FileFacts) -> Finding {
+    let message = format!("replaces the system's `{}`", other.rel);
+    let finding = RULE.at(file, Place::File, message).key(&file.rel);
+    finding.related(other.path.clone(), Place::File, "the replaced file")
 }
 
 fn replacing(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
@@ -187,12 +179,10 @@ fn unused(view: &View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding
             "`{}` has no asset beside it: the asset is in the system data",
             first.file_name()
         ),
-        count => {
-            format!(
-                "{} in `{folder}` have no asset beside them: the asset is in the system data",
-                counted(count, "file")
-            )
-        }
+        count => format!(
+            "{} in `{folder}` have no asset beside them: the asset is in the system data",
+            counted(count, "file")
+        ),
     };
     let finding = RULE
         .at(first, Place::File, message)

@@ -1,13 +1,13 @@
 //! Targets that MPFB asks for and that are not there.
 
 use super::super::cause::differing;
-use super::super::macros::combination_patterns::{cover, index, is_walkable};
 use super::super::{Check, Rule, RuleCx, did_you_mean, enumerated};
+use super::name_patterns::patterns_of;
 use super::stretch::checked;
 use super::wanted::{are_of_default, lost_names, missing};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_repo::FileFacts;
-use mhlint_repo::mpfb::loops::{LOOPS, Loop, Name, names};
+use mhlint_repo::mpfb::loops::{LOOPS, names};
 use mhlint_repo::mpfb::{Parts, Request, View};
 use mhlint_source::{file_name, parent};
 
@@ -104,44 +104,6 @@ fn place(parts: &Parts<'_>) -> String {
 
 fn file_of(request: &Request<'_>) -> String {
     format!("{}.target.gz", request.target)
-}
-
-/// Few patterns for the missing targets of a loop.
-fn patterns_of(own: &Loop, lists: &[Vec<Name<'_>>], missing: &[&Request<'_>]) -> Vec<String> {
-    let sizes: Vec<usize> = lists.iter().map(Vec::len).collect();
-    if !is_walkable(&sizes) {
-        return missing
-            .iter()
-            .map(|request| request.target.clone())
-            .collect();
-    }
-    let mut member = vec![false; sizes.iter().product()];
-    for request in missing {
-        if let Some(cell) = member.get_mut(index(&sizes, &request.names)) {
-            *cell = true;
-        }
-    }
-    let word = |list: &[Name<'_>], values: &[usize]| {
-        let words: Vec<&str> = values
-            .iter()
-            .filter_map(|value| list.get(*value))
-            .map(|name| name.text)
-            .collect();
-        match words.as_slice() {
-            [] => "*".to_owned(),
-            [only] => (*only).to_owned(),
-            several => format!("({})", several.join("|")),
-        }
-    };
-    let patterns = cover(&sizes, &member).into_iter().map(|pattern| {
-        let words: Vec<String> = lists
-            .iter()
-            .zip(&pattern.values)
-            .map(|(list, values)| word(list, values))
-            .collect();
-        format!("{}{}", own.prefix, words.join("-"))
-    });
-    patterns.collect()
 }
 
 /// The target beside a missing one that nobody asks for and whose name is nearly that of it.

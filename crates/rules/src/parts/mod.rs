@@ -8,6 +8,7 @@ mod end_share;
 mod gap;
 mod missing_setting;
 mod missing_target;
+mod name_patterns;
 mod overlap;
 mod reversed;
 mod stretch;

@@ -37,6 +37,7 @@ mod ranges_before_verts;
 mod rows_reordered;
 mod scale;
 mod scale_lines;
+mod scale_vertices;
 mod section_keyword;
 mod sections;
 mod shear;

@@ -1,7 +1,7 @@
 //! The archive of an asset is that of its text.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Archive, Text, archives, listed, packed_proxy, texts};
+use super::{Archive, Text, archives, listed, packed_proxy, rebuild, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Grouped, Level, Place, RuleInfo, grouped,
@@ -82,10 +82,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             ),
             None => finding,
         };
-        out.push(finding.help(
-            "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, \
-            delete the `.mhbin`: MakeHuman 2 builds it again from them",
-        ));
+        out.push(finding.help(rebuild(true)));
     }
 }
 
@@ -189,16 +186,10 @@ fn has_other_scale(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
 }
 
 fn has_other_mask(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
-    let length = archive.asset.mask.as_ref().map(|mask| mask.length);
-    let vertices = length.or(archive.asset.rows.mesh.map(|mesh| mesh.vertices));
-    let Some(vertices) = vertices else {
-        return false;
-    };
-    let runs = archive
-        .asset
-        .mask
-        .as_ref()
-        .map(|mask| mask.runs.as_slice())
-        .unwrap_or_default();
-    clothes.merged_deletes(vertices) != runs
+    let mask = archive.asset.mask.as_ref();
+    let vertices =
+        mask.map(|mask| mask.length)
+            .or(archive.asset.rows.mesh.map(|mesh| mesh.vertices));
+    let runs = mask.map(|mask| mask.runs.as_slice()).unwrap_or_default();
+    vertices.is_some_and(|vertices| clothes.merged_deletes(vertices) != runs)
 }

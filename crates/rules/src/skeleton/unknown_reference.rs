@@ -1,15 +1,15 @@
 //! Referenced bones must exist in the default skeleton.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx, did_you_mean, such};
-use super::remapped::remapped;
+use super::super::{Check, Rule, RuleCx, such};
+use super::unknown_names::{finding, of_makehuman1};
 use super::{Rig, rigs};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
-use mhlint_repo::{self as repo, Body};
+use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -44,7 +44,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     if body.is_makehuman1() {
-        return of_makehuman1(body, &known, cx, out);
+        return of_makehuman1(&RULE, body, &known, cx, out);
     }
     for rig in rigs(body) {
         let (mut unknown, mut spelled) = (Vec::new(), Vec::new());
@@ -74,7 +74,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let found = spelled_out(&rig, &spelled, &known)
             .into_iter()
-            .chain(finding(&rig, &unknown, &known, cx));
+            .chain(finding(&RULE, &rig, &unknown, &known, cx));
         // Others refer to the default skeleton; what it refers to itself is never read.
         let is_default = std::ptr::eq(rig.file, default.file);
         out.extend(found.map(|one| {
@@ -84,77 +84,6 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 one
             }
         }));
-    }
-}
-
-const LEFT_OUT: Case = &[(
-    Makehuman1,
-    Level::Info,
-    "leaves the name out; the bone keeps its other references",
-)];
-const OTHERS_TAKE: Case = &[(
-    Makehuman1,
-    Level::Warning,
-    "leaves the name out: the weights that are meant go to another bone",
-)];
-
-/// Names in `reference` stop it, those in `weights_reference` are left out.
-fn of_makehuman1(body: &Body<'_>, known: &BTreeSet<&str>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // Bones of the base skeleton that have weights, and that no bone of a skeleton takes.
-    let weights = body
-        .default_rig()
-        .and_then(repo::Rig::weights)
-        .map(|weights| weights.bones.as_slice());
-    let weighted: BTreeSet<&str> = weights
-        .unwrap_or_default()
-        .iter()
-        .filter(|bone| bone.listed > 0)
-        .map(|bone| bone.name.as_str())
-        .collect();
-    let all = remapped(body).into_iter();
-    let losing = all.filter(|own| own.untaken.iter().any(|bone| weighted.contains(bone)));
-    let losing: BTreeSet<&str> = losing.map(|own| own.rig.file.path.as_str()).collect();
-    for rig in rigs(body).filter(|rig| !rig.own.is_default) {
-        let is_losing = losing.contains(rig.file.path.as_str());
-        let mut found: BTreeMap<u8, Vec<(&str, &str, &str)>> = BTreeMap::new();
-        for bone in &rig.skeleton.bones {
-            let stopping = bone
-                .references()
-                .into_iter()
-                .filter(|name| !known.contains(name));
-            found
-                .entry(0)
-                .or_default()
-                .extend(stopping.map(|name| (bone.name.as_str(), "reference", name)));
-            let (names, is_explicit) = bone.weight_references();
-            let own: BTreeSet<&str> = names.iter().copied().collect();
-            let has_none = own.is_disjoint(known);
-            for name in names
-                .iter()
-                .filter(|name| is_explicit && !known.contains(**name))
-            {
-                let near = cx.suggestions.nearest(name, known.iter().copied());
-                let is_meant = near.is_some_and(|near| !own.contains(near));
-                let rank = if has_none || is_meant || is_losing {
-                    1
-                } else {
-                    2
-                };
-                found
-                    .entry(rank)
-                    .or_default()
-                    .push((&bone.name, "weights_reference", name));
-            }
-        }
-        for (rank, unknown) in found {
-            let finding = finding(&rig, &unknown, known, cx)
-                .map(|finding| finding.key(format!("names {rank}")));
-            out.extend(finding.map(|finding| match rank {
-                0 => finding,
-                1 => finding.case(OTHERS_TAKE),
-                _ => finding.case(LEFT_OUT),
-            }));
-        }
     }
 }
 
@@ -190,29 +119,4 @@ fn spelled_out(
         "write a list with names of bones of the default skeleton".to_owned()
     };
     Some(finding.help(help))
-}
-
-fn finding(
-    rig: &Rig<'_>,
-    unknown: &[(&str, &str, &str)],
-    known: &BTreeSet<&str>,
-    cx: &RuleCx<'_>,
-) -> Option<Finding> {
-    let (bone, member, name) = unknown.first()?;
-    let more = such(unknown.len(), "names");
-    let message = format!(
-        "`{member}` of bone `{bone}` names `{name}`, which the default skeleton does not have{more}"
-    );
-    let help = did_you_mean(
-        cx.suggestions.nearest(name, known.iter().copied()),
-        "name bones of the default skeleton",
-    );
-    let cases = unknown
-        .iter()
-        .map(|(bone, _, name)| format!("{bone}: {name}"));
-    Some(
-        RULE.at(rig.file, Place::pointer(["bones", bone, member]), message)
-            .help(help)
-            .evidence(Evidence::of_cases(cases)),
-    )
 }

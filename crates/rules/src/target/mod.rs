@@ -42,6 +42,7 @@ mod syntax;
 mod token_conflict;
 mod unreadable_fields;
 mod unreferenced;
+mod unused_pairs;
 mod user_pairs;
 mod vertex_out_of_range;
 mod without_effect;

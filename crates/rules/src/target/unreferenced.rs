@@ -1,9 +1,7 @@
 //! Targets that no slider and no macro uses.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::super::{Check, Rule, RuleCx};
-use super::endings::Endings;
+use super::unused_pairs::Pairing;
 use super::{meant::meant_by_missing, parent, shipped_unused};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -68,7 +66,7 @@ fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Find
         .into_iter()
         .filter(|file| !meant.contains(file.rel.as_str()) && !breaks_start(file));
     let folders = grouped(idle.map(|file| (parent(&file.rel), file)));
-    let (endings, without_decr) = (Endings::of(base, None), without_decr(base));
+    let pairing = Pairing::of(base);
     let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
         let all = folder
@@ -83,10 +81,10 @@ fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Find
             }
             out.push(whole_folder(folder.layer, path, &files));
         } else {
-            out.extend(in_pairs(&endings, &files).into_iter().map(|(file, decr)| {
+            out.extend(pairing.of_files(&files).into_iter().map(|(file, decr)| {
                 let name = folder.name_of(file).unwrap_or_default();
                 let finding = decr.and_then(|decr| folder.name_of(decr)).map_or_else(
-                    || single(&endings, &without_decr, file, name),
+                    || single(&pairing, file, name),
                     |decr| pair(file, name, decr),
                 );
                 part_of(
@@ -128,34 +126,6 @@ fn lost_macrodefs(base: &Base<'_>) -> bool {
 fn breaks_start(file: &FileFacts) -> bool {
     let is_no_text = file.encoding.invalid_utf8_at.is_some();
     is_no_text || file.target().is_some_and(|facts| facts.unreadable_rows > 0)
-}
-
-/// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
-fn in_pairs<'a>(
-    endings: &Endings<'_>,
-    files: &[&'a FileFacts],
-) -> Vec<(&'a FileFacts, Option<&'a FileFacts>)> {
-    // What each stem would be the increasing one for; the first pair of endings counts.
-    let mut decrs: BTreeMap<String, (usize, &'a FileFacts)> = BTreeMap::new();
-    for file in files {
-        for (place, incr) in endings.increasing(file.stem()) {
-            let first = decrs.entry(incr).or_insert((place, file));
-            if place < first.0 {
-                *first = (place, file);
-            }
-        }
-    }
-    let decr_of = |file: &FileFacts| decrs.get(file.stem()).map(|(_, decr)| *decr);
-    let pairs: Vec<_> = files.iter().map(|file| (*file, decr_of(file))).collect();
-    let told: BTreeSet<&str> = pairs
-        .iter()
-        .filter_map(|(_, decr)| Some(decr.as_ref()?.path.as_str()))
-        .collect();
-    pairs
-        .iter()
-        .copied()
-        .filter(|(file, _)| !told.contains(file.path.as_str()))
-        .collect()
 }
 
 fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
@@ -200,18 +170,13 @@ fn part_of<'f>(
         .parts_in(files.map(|file| (file.file_name(), &file.path)))
 }
 
-fn single(
-    endings: &Endings<'_>,
-    sliders: &BTreeMap<&str, &str>,
-    file: &FileFacts,
-    name: &str,
-) -> Finding {
+fn single(pairing: &Pairing<'_>, file: &FileFacts, name: &str) -> Finding {
     let finding = RULE.at(
         file,
         Place::File,
         format!("no slider and no macro uses `{name}`"),
     );
-    finding.help(match slider_without(endings, sliders, name) {
+    finding.help(match pairing.slider_without(name) {
         // A slider with a space in its name cannot be saved.
         _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from \
             its name"
@@ -220,36 +185,9 @@ fn single(
             "add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or keep the file \
                 outside of the data"
         ),
-        None => {
-            format!(
-                "add a slider with `\"incr\": \"{name}\"` to modelling.json, or keep the file \
+        None => format!(
+            "add a slider with `\"incr\": \"{name}\"` to modelling.json, or keep the file \
                 outside of the data"
-            )
-        }
+        ),
     })
-}
-
-/// Keys of the sliders without `decr`, by what they have as `incr`; of several the first.
-fn without_decr<'b>(base: &'b Base<'_>) -> BTreeMap<&'b str, &'b str> {
-    let sliders = base
-        .sliders
-        .iter()
-        .rev()
-        .map(|bound| bound.slider)
-        .filter(|slider| slider.decr.is_none());
-    sliders
-        .filter_map(|slider| Some((slider.incr.as_deref()?, slider.key.as_str())))
-        .collect()
-}
-
-/// The slider that has the opposite of a target and lacks the target itself.
-fn slider_without<'b>(
-    endings: &Endings<'_>,
-    sliders: &BTreeMap<&str, &'b str>,
-    decr: &str,
-) -> Option<&'b str> {
-    let known = endings
-        .increasing(decr)
-        .filter_map(|(place, incr)| Some((place, *sliders.get(incr.as_str())?)));
-    known.min().map(|(_, key)| key)
 }

@@ -1,9 +1,10 @@
 //! A UV layer of MPFB gives loops of the base mesh their texture coordinates.
 
 use super::super::{Check, Rule, RuleCx, such};
+use super::stop::stopped;
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::Kind;
-use mhlint_formats::uv_layer::{Found, Stop, StopWhy, UvLayer};
+use mhlint_formats::uv_layer::{Found, UvLayer};
 use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::View;
 
@@ -79,7 +80,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let worst = layer
             .stop
             .as_ref()
-            .map(|(stop, count)| stopped(file, stop, *count));
+            .map(|(stop, count)| stopped(&RULE, file, stop, *count));
         let worst = worst.or_else(|| loops.and_then(|loops| beyond(file, layer, loops)));
         let worst = worst.or_else(|| places(file, layer, is_of_quads));
         out.extend(worst);
@@ -87,49 +88,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(values(file, layer));
         }
     }
-}
-
-/// A place at which the loader stops.
-fn stopped(file: &FileFacts, stop: &Stop, count: usize) -> Finding {
-    let subject = match (&stop.face, &stop.corner) {
-        (None, _) => "the file".to_owned(),
-        (Some(face), None) => format!("face `{face}`"),
-        (Some(face), Some(corner)) => format!("loop `{corner}` of face `{face}`"),
-    };
-    let (message, help) = match stop.why {
-        StopWhy::NotObject(found) => (
-            format!("{subject} is {found}, expected an object"),
-            "write an object",
-        ),
-        StopWhy::Name => (
-            format!("{subject} is not a whole number"),
-            "write the number of the loop",
-        ),
-        StopWhy::NotList(found) => (
-            format!("{subject} is {found}, expected two numbers"),
-            "write two numbers",
-        ),
-        StopWhy::Length(1) => (
-            format!("{subject} has 1 number, expected 2"),
-            "write two numbers",
-        ),
-        StopWhy::Length(found) => (
-            format!("{subject} has {found} numbers, expected 2"),
-            "write two numbers",
-        ),
-        StopWhy::NotNumbers => (
-            format!("{subject} has a value that is not a number"),
-            "write two numbers",
-        ),
-    };
-    let finding = RULE
-        .at(
-            file,
-            Place::File,
-            format!("{message}{}", such(count, "values")),
-        )
-        .key("stop");
-    finding.evidence(Evidence::counted(count)).help(help)
 }
 
 /// Loops that the mesh does not have, or that count from its end.

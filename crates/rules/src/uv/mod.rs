@@ -1,6 +1,7 @@
 //! Rules on texture coordinates for ink layers of MPFB.
 
 mod layer;
+mod stop;
 
 use super::Rule;
 
