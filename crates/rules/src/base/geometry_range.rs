@@ -60,19 +60,15 @@ fn faults(
     mesh: &Mesh,
     suggestions: &Suggestions,
 ) -> Vec<Finding> {
-    if !mesh
-        .groups
-        .iter()
-        .any(|group| group.name.starts_with(PREFIX))
-        && geometry.joint_ranges.len() > 1
-    {
-        return without_joints(file, base, &geometry.joint_ranges, mesh)
-            .into_iter()
-            .collect();
-    }
     let mut groups: BTreeMap<&str, &Group> = BTreeMap::new();
     for group in &mesh.groups {
         groups.entry(&group.name).or_insert(group);
+    }
+    let has_joints = groups.keys().any(|name| name.starts_with(PREFIX));
+    if !has_joints && geometry.joint_ranges.len() > 1 {
+        return without_joints(file, base, &geometry.joint_ranges, mesh)
+            .into_iter()
+            .collect();
     }
     // Which groups are mixed only the OBJ can tell; an archive has the faces where it put them.
     let mixed = base.obj().map(|(_, obj)| obj.facts.mixed_groups());
@@ -84,12 +80,10 @@ fn faults(
                 .is_some_and(|mixed| !mixed.contains(group.name.as_str()))
     };
     let joints = geometry.joint_ranges.iter().filter_map(|range| {
-        let found = groups
-            .get(format!("{PREFIX}{}", range.name).as_str())
-            .copied();
-        match found {
+        let name = format!("{PREFIX}{}", range.name);
+        match groups.get(name.as_str()).copied() {
             None => Some(without_group(file, range, mesh, suggestions)),
-            Some(found) => unlike(file, (JOINTS, range), mesh, Some(found).filter(is_plain)),
+            found => unlike(file, (JOINTS, range), mesh, found.filter(is_plain)),
         }
     });
     // Parts may be made of several groups; only a group of the same name can be compared.
@@ -191,10 +185,8 @@ fn unlike(
             at(message).help("write the first and the last vertex of the part, counted from 0"),
         );
     }
-    let (lowest, highest) = group?
-        .vertices
-        .map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
-    if (lowest, highest) == (first, last) {
+    let (lowest, highest) = group?.vertices?;
+    if (i64::from(lowest), i64::from(highest)) == (first, last) {
         return None;
     }
     let message = format!(

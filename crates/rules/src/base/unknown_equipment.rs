@@ -82,15 +82,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
     // A value of another type, or a misspelt key, has a finding of its own.
     if settings.equipment.is_none() && !is_faulty(file, "equipment") {
-        let finding = RULE
-            .at(file, Place::File, "`equipment` is missing")
-            .key("equipment")
-            .effect(ONLY_CLOTHES);
-        out.push(
-            finding.help(
-                "add `\"equipment\": [\"clothes\", \"hair\", \"eyes\", \"teeth\", \"proxy\"]`",
-            ),
-        );
+        let finding = RULE.at(file, Place::File, "`equipment` is missing");
+        let help = "add `\"equipment\": [\"clothes\", \"hair\", \"eyes\", \"teeth\", \"proxy\"]`";
+        out.push(finding.key("equipment").effect(ONLY_CLOTHES).help(help));
     }
     for (index, name) in settings.equipment.iter().flatten().enumerate() {
         if EQUIPMENT.contains(&name.as_str()) {
@@ -131,14 +125,10 @@ fn not_offered(
     let Some(offered) = settings.equipment.as_ref().filter(is_known) else {
         return;
     };
-    let assets = view
-        .library
-        .of_base(base.name)
-        .iter()
-        .filter(|asset| asset.is_worn());
     let offered: BTreeSet<&str> = offered.iter().map(String::as_str).collect();
-    let lost = assets.filter(|asset| !offered.contains(asset.category));
-    let lost: Vec<&Asset<'_>> = lost.collect();
+    let is_lost = |asset: &&Asset<'_>| asset.is_worn() && !offered.contains(asset.category);
+    let assets = view.library.of_base(base.name).iter();
+    let lost: Vec<&Asset<'_>> = assets.filter(is_lost).collect();
     let kinds: BTreeSet<&str> = lost.iter().map(|asset| asset.category).collect();
     let Some(first) = kinds.first() else { return };
     let message = match kinds.len() {

@@ -33,31 +33,23 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let mut found = Vec::new();
     for (pattern, _) in &settings.presets {
         let at = ["modifier-presets", pattern];
-        found.extend(
-            names
-                .pattern(pattern)
-                .map(|unknown| at_key(unknown_name(file, &at, unknown), &at)),
-        );
+        let unknown = names.pattern(pattern);
+        found.extend(unknown.map(|unknown| at_key(unknown_name(file, &at, unknown), &at)));
     }
     measures(file, &names, settings, &mut found);
     for (index, head) in settings.head_pattern.iter().flatten().enumerate() {
         let at = ["head-pattern", &index.to_string()];
-        found.extend(
-            names
-                .head(head)
-                .map(|unknown| unknown_name(file, &at, unknown)),
-        );
+        let unknown = names.head(head);
+        found.extend(unknown.map(|unknown| unknown_name(file, &at, unknown)));
     }
     if let Some(random) = &settings.random {
         randomizer(file, &names, random, &mut found);
     }
-    let of_sliders = base
-        .modelling
-        .winner()
-        .map(|(sliders, _)| sliders.path.clone());
-    found
-        .iter_mut()
-        .for_each(|finding| finding.against.extend(of_sliders.clone()));
+    if let Some((sliders, _)) = base.modelling.winner() {
+        for finding in &mut found {
+            finding.against.push(sliders.path.clone());
+        }
+    }
     out.extend(of_other_base(view, base, settings, found));
 }
 

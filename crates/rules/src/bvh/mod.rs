@@ -2,6 +2,7 @@
 
 pub(crate) mod channels;
 pub(crate) mod duplicate_joint;
+mod frame_fault;
 pub(crate) mod frames;
 mod imported;
 pub(crate) mod syntax;

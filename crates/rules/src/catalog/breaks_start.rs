@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{checked, place};
+use super::{checked, place, twin_pictures};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::extension;
 use mhlint_repo::FileFacts;
@@ -46,7 +46,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .iter()
             .filter_map(|(folder, targets)| of_folder(view, folder, targets)),
     );
-    pictures(view, out);
+    twin_pictures::findings(&RULE, view, out);
     let files = view
         .layers
         .checked
@@ -147,69 +147,4 @@ fn of_folder(view: &View<'_>, folder: &str, targets: &[UserTarget<'_>]) -> Optio
         targets.iter().map(|one| one.file.shown()),
     ));
     Some(finding.help("rename the folder, or remove it if it was left by another program"))
-}
-
-/// Pictures of one name: of the sliders that MPFB brings, and those beside users' targets.
-fn pictures(view: &View<'_>, out: &mut Vec<Finding>) {
-    let mut known: BTreeMap<String, &FileFacts> = BTreeMap::new();
-    let of_system = view
-        .layers
-        .system
-        .into_iter()
-        .flat_map(|layer| layer.below("targets/_images"));
-    let shipped = of_system
-        .filter(|file| extension(&file.rel) == "png")
-        .map(|file| {
-            let stem = file.stem();
-            (
-                stem.strip_prefix("l-")
-                    .or_else(|| stem.strip_prefix("r-"))
-                    .unwrap_or(stem)
-                    .to_owned(),
-                file,
-            )
-        });
-    let checked = view.layers.checked;
-    let own = view
-        .user_targets()
-        .filter(|target| target.file.rel.starts_with("targets/"));
-    let own = own.filter_map(|target| {
-        let beside = |suffix: &str| {
-            checked.file(&format!(
-                "{}/{}.{suffix}",
-                parent(&target.file.rel),
-                target.name
-            ))
-        };
-        Some((
-            target.name.clone(),
-            beside("thumb").or_else(|| beside("png"))?,
-        ))
-    });
-    for (name, file) in shipped.chain(own) {
-        let Some(other) = known
-            .insert(name.clone(), file)
-            .filter(|other| !std::ptr::eq(*other, file))
-        else {
-            continue;
-        };
-        let (told, other) = if view.layers.is_checked(file) {
-            (file, other)
-        } else {
-            (other, file)
-        };
-        if view.layers.is_checked(told) {
-            let message = format!(
-                "is a picture for `{name}`, as {} is",
-                view.layers.named(other)
-            );
-            let finding = RULE.at(told, Place::File, message).key("picture");
-            let finding = finding.related(other.path.clone(), Place::File, "the other picture");
-            out.push(
-                finding.help(
-                    "remove one of the pictures, or rename one of the targets with its picture",
-                ),
-            );
-        }
-    }
 }

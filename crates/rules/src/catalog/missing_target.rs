@@ -4,12 +4,11 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted, such};
 use super::neighbours::Neighbours;
-use super::{checked, forgotten_ends, sliders};
+use super::{checked, forgotten_ends, leftovers, sliders};
 use mhlint_diag::{
-    Application::Mpfb, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped, pointer, steps,
+    Application::Mpfb, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped, steps,
 };
-use mhlint_formats::target_catalog::Section;
-use mhlint_repo::mpfb::{Catalog, View};
+use mhlint_repo::mpfb::View;
 use mhlint_repo::{Reference, ReferenceKind, Resolution};
 use mhlint_source::parent;
 
@@ -50,13 +49,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .into_iter()
             .filter_map(|(cause, references)| told(&cause, &references, &neighbours)),
     );
-    out.extend(
-        catalog
-            .sliders
-            .sections
-            .iter()
-            .filter_map(|section| leftovers(&catalog, section)),
-    );
+    let sections = catalog.sliders.sections.iter();
+    out.extend(sections.filter_map(|section| leftovers::finding(&RULE, &catalog, section)));
 }
 
 /// What several references are missing for: a folder with nothing in it, a slider with empty slots,
@@ -153,65 +147,4 @@ fn slot_of(place: &Place) -> String {
         return String::new();
     };
     steps(pointer).last().unwrap_or_default()
-}
-
-/// Entries of `targets` that name no file and that no slider asks for.
-fn leftovers(catalog: &Catalog<'_>, section: &Section) -> Option<Finding> {
-    let slots = section
-        .categories
-        .iter()
-        .flat_map(|category| category.slots.iter().flatten());
-    let asked: BTreeSet<&str> = slots.map(|slot| slot.stem.as_str()).collect();
-    let simple = section
-        .categories
-        .iter()
-        .filter(|category| category.slots.is_none());
-    let named: BTreeSet<String> = simple
-        .flat_map(|one| {
-            one.sides()
-                .iter()
-                .map(move |side| format!("{side}{}", one.name))
-        })
-        .collect();
-    let is_left = |name: &str| {
-        !asked.contains(name)
-            && !named.contains(name)
-            && catalog.target(&section.name, name).is_none()
-    };
-    let entries = section
-        .categories
-        .iter()
-        .flat_map(|one| one.targets.iter().map(move |(at, name)| (one, at, name)));
-    let left: Vec<_> = entries.filter(|(_, _, name)| is_left(name)).collect();
-    let (category, at, name) = left.first()?;
-    let place = [
-        section.name.as_str(),
-        "categories",
-        &category.index.to_string(),
-        "targets",
-        &at.to_string(),
-    ];
-    let message = match left.len() {
-        1 => format!("`targets` lists `{name}`, which does not exist and is not used by a slider"),
-        many => format!(
-            "`targets` lists {many} files in section `{}` that do not exist and are not used by a \
-                slider",
-            section.name
-        ),
-    };
-    let finding = RULE
-        .at(catalog.file, Place::Pointer(pointer(&place)), message)
-        .key(format!("{} targets", section.name));
-    let finding = finding
-        .level(Level::Info)
-        .effect("ignores the entry: it finds targets by slots and names");
-    Some(
-        finding
-            .help(if left.len() == 1 {
-                "remove the entry"
-            } else {
-                "remove the entries"
-            })
-            .evidence(Evidence::of_cases(left.iter().map(|(.., name)| name))),
-    )
 }

@@ -3,6 +3,7 @@
 mod breaks_start;
 mod duplicate_target;
 mod empty_section;
+mod leftovers;
 mod missing_opposites;
 mod missing_target;
 mod neighbours;
@@ -10,6 +11,7 @@ mod no_slider;
 mod opposite_unlisted;
 mod opposites_sides;
 mod side_prefix;
+mod twin_pictures;
 mod unlisted_target;
 mod unreachable_user_target;
 mod unused_key;

@@ -25,6 +25,7 @@ mod fixed_names;
 mod folders;
 mod icons;
 mod named;
+mod references;
 mod spelling;
 
 use super::Rule;

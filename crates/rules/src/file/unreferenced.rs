@@ -1,13 +1,11 @@
 //! Files that nothing opens.
 
-use std::collections::BTreeSet;
-
 use super::super::{Check, Rule, RuleCx, cause::outdated::is_outdated};
-use super::icons;
+use super::references::References;
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use mhlint_discover::{Kind, Layout, extension};
+use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
-use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution};
 use mhlint_source::parent;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -100,66 +98,20 @@ fn help(reason: &str) -> &'static str {
 /// A word for the reason, and the reason in words.
 type Reason = (String, String);
 
-/// What the references of a repository say about its files.
-struct References<'r> {
-    view: &'r View<'r>,
-    used_icons: BTreeSet<String>,
-    icons: icons::Icons<'r>,
-    /// Names of files that are not there, of which one may be there packed.
-    missing: BTreeSet<&'r str>,
-}
-
-impl<'r> References<'r> {
-    fn of(view: &'r View<'_>, base: &'r Base<'_>) -> Self {
-        let missing = view
-            .references_of(base)
-            .filter(|one| matches!(one.resolution, Resolution::Missing));
-        let missing = missing.map(|reference| reference.rel.as_str()).collect();
-        Self {
-            view,
-            used_icons: icons::in_use(view, base),
-            icons: icons::Icons::of(view, base),
-            missing,
-        }
-    }
-
-    /// Whether a texture, or what something names but for capitals: the finding on that reference
-    /// names the file.
-    fn mean(&self, file: &FileFacts) -> bool {
-        let means = |reference: &Reference<'_>| match reference.resolution {
-            // A texture may be called anything.
-            Resolution::Found(_) => reference.kind == ReferenceKind::Texture,
-            _ => true,
-        };
-        self.view.references.to_file(file).any(means)
-            || file
-                .rel
-                .strip_suffix(".gz")
-                .is_some_and(|unpacked| self.missing.contains(unpacked))
-    }
-}
-
 /// Why nothing uses the file, if nothing does.
 fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
-    let (name, layer, layout) = (
-        file.file_name(),
-        references.view.layers.checked,
-        Layout::of(Makehuman2),
-    );
+    let (name, layer, layout) = (file.file_name(), references.layer(), Layout::of(Makehuman2));
     // A file `icons` is unreadable; a format that nobody reads is reported of the whole folder.
     let is_told = file.encoding.lfs_pointer || file.gzip_fault.is_some() || is_outdated(file);
     if is_told || name == "icons" || is_note(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
-        let idle = icons::is_store(layer, base, file) && !references.used_icons.contains(&file.rel);
-        let icons = &references.icons;
-        let idle = idle && !icons.is_misspelt(name) && !icons.is_of_unused_target(file.stem());
-        return idle.then(|| ("icon".to_owned(), "no slider uses this icon".to_owned()));
+        let is_idle = references.leave_icon(base, file);
+        return is_idle.then(|| ("icon".to_owned(), "no slider uses this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
     if (layout.misnamed)(&file.rel, &|rel| layer.file(rel).is_some()).is_some()
-        || references.used_icons.contains(&file.rel)
         || references.mean(file)
         || extension(&file.rel) == "thumb"
         || (layout.opens)(&file.rel)
@@ -172,7 +124,7 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
             "MakeHuman 2 reads only plain `.target` files".to_owned(),
         ),
         (_, lower)
-            if lower != name && (layout.opens)(&format!("{}{lower}", folder_of(&file.rel))) =>
+            if lower != name && (layout.opens)(&format!("{}/{lower}", parent(&file.rel))) =>
         {
             (
                 format!("capitals {lower}"),
@@ -188,12 +140,6 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
             "no program opens files with such names here".to_owned(),
         ),
     })
-}
-
-fn folder_of(rel: &str) -> &str {
-    rel.rfind('/')
-        .and_then(|at| rel.get(..=at))
-        .unwrap_or_default()
 }
 
 /// Texts for people, and programs: a plug-in may bring its skeleton along.

@@ -7,6 +7,7 @@ mod empty_target_folder;
 mod partial_override;
 mod shadowed;
 mod shadowed_asset;
+mod targets_alone;
 mod targets_not_in_layer;
 mod user_key_clash;
 mod user_target_too_deep;

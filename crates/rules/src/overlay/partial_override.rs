@@ -1,12 +1,12 @@
 //! An override that lacks the files it needs beside it.
 
 use super::super::{Check, Rule, RuleCx, counted};
+use super::targets_alone::{self, Gap, NO_FOLDER, are};
 use super::{
     SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder,
     overrides, system_folder,
 };
 use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -21,12 +21,6 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "an override without the other files it needs",
     )
 });
-
-/// A gap: how bad, what is wrong, what MakeHuman 2 does, what to do.
-type Gap = (Level, String, &'static str, &'static str);
-
-const NO_FOLDER: &str =
-    "crashes with `FileNotFoundError` at start: it tries to write an archive into that folder";
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // What follows from a broken file, or shows as targets in the wrong layer, is said by those
@@ -43,7 +37,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         (false, false, true) => categories
             .file
             .map(|file| (file, categories_alone(base, system))),
-        (false, false, false) => user_targets_alone(base, system).or_else(|| targets_alone(base)),
+        (false, false, false) => targets_alone::gap(base, system),
         (true, true, _) => None,
     };
     if let Some((file, (level, message, effect, help))) = found {
@@ -106,10 +100,7 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
             Some((Level::Error, message, NO_FOLDER, help))
         }
         SystemFolder::Exists if own > 0 => {
-            let (own, be) = (
-                counted(own, "target file"),
-                if own == 1 { "is" } else { "are" },
-            );
+            let (own, be) = (counted(own, "target file"), are(own));
             let message = format!(
                 "macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} \
                     never read"
@@ -174,55 +165,4 @@ fn without_any(base: &Base<'_>) -> (Level, &'static str) {
             "shows no sliders for the base, and macros have no effect",
         )
     }
-}
-
-/// No override at all, but user targets for a base of user space: they lead to the same folder.
-fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a FileFacts, Gap)> {
-    let file = base.user_modelling.file()?;
-    let has_sliders = base
-        .user_modelling
-        .accepted()
-        .is_some_and(|(_, model)| !model.sliders.is_empty());
-    let dead = system == SystemFolder::Absent && has_sliders && base.own_json.is_some();
-    let message = format!(
-        "user targets exist, but neither `contarget/{0}/macro.json` nor `target/{0}` in the \
-            system data",
-        base.name
-    );
-    let own = base
-        .user_targets
-        .and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
-    let help = if own.is_some() {
-        "move the folder to `contarget/`: the user's `target/` is only for additions to a base of \
-            the system data"
-    } else {
-        "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": \
-            []}`"
-    };
-    dead.then_some((file, (Level::Error, message, NO_FOLDER, help)))
-}
-
-/// Targets in contarget and none of the files that would make anybody look at them.
-fn targets_alone<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, Gap)> {
-    let folder = base
-        .other_targets
-        .filter(|folder| !base.macros.is_overridden() && folder.folder == "contarget")?;
-    let file = folder.targets().next()?;
-    let own = counted(folder.targets().count(), "target file");
-    let message = format!(
-        "macro.json is missing in `{}`: its {own} are never read",
-        folder.rel()
-    )
-    .replace("1 target file are", "1 target file is");
-    let help = "add their macro.json and modelling.json, or move additions to the targets of the \
-        system data to `target/<base>/<group>/`";
-    Some((
-        file,
-        (
-            Level::Warning,
-            message,
-            "loads all targets of the base from the system data",
-            help,
-        ),
-    ))
 }
