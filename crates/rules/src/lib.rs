@@ -66,7 +66,8 @@ pub use editions::word_for_version;
 pub use library::side_by_side::add_pack;
 pub use rule::{Check, Rule, RuleCx};
 use rule::{
-    and_more, bones_in_words, counted, did_you_mean, either, enumerated, plain_letters, shown, such,
+    and_more, are, bones_in_words, counted, did_you_mean, either, enumerated, plain_letters, shown,
+    such,
 };
 pub use side_by_side::SideBySide;
 pub use wearers::name_wearers;

@@ -127,6 +127,11 @@ pub(super) fn counted(count: impl ToString, thing: &str) -> String {
     format!("{count} {thing}{}", if count == "1" { "" } else { "s" })
 }
 
+/// The verb behind so many things.
+pub(super) const fn are(count: usize) -> &'static str {
+    if count == 1 { "is" } else { "are" }
+}
+
 /// ` (3 such lines)` behind a message on the first of several; nothing behind one on a single case.
 pub(super) fn such(count: impl ToString, things: &str) -> String {
     match &*count.to_string() {

@@ -14,7 +14,7 @@ mod rigs;
 mod sliders;
 mod view;
 
-pub use keys::{Reads, names as key_names};
+pub use keys::{Reads, is_key};
 pub use looks::{Look, Set};
 pub use named::{NamedTarget, uuid};
 pub use offered::lost_rigs;

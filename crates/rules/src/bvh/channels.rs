@@ -1,6 +1,6 @@
 //! The channels of a joint must be as many as announced, and have known names.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, are, counted};
 use super::{REJECTED, VALUE, imported};
 use mhlint_diag::{
     Application::{Makehuman2, Mpfb},
@@ -65,7 +65,8 @@ fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
             "write the number of channels".to_owned(),
         ),
         FaultKind::Channels(announced, listed) => {
-            let message = format!("`CHANNELS {announced}`, but {} listed", are(listed));
+            let (channels, are) = (counted(listed, "channel"), are(listed));
+            let message = format!("`CHANNELS {announced}`, but {channels} {are} listed");
             (
                 message,
                 format!("write `CHANNELS {listed}`, and a number for each channel in every frame"),
@@ -83,11 +84,6 @@ fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
             .case(case)
             .help(help),
     )
-}
-
-fn are(channels: usize) -> String {
-    let are = if channels == 1 { "is" } else { "are" };
-    format!("{} {are}", counted(channels, "channel"))
 }
 
 fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {

@@ -1,6 +1,6 @@
 //! Folders behind links are not searched.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, are, counted};
 use mhlint_diag::{
     Application::{Makehuman1, Mpfb},
     Evidence, Finding, Level, RuleInfo,
@@ -38,18 +38,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if assets.is_empty() {
             continue;
         }
-        let message = format!("the folder is a link: {} not listed", are(assets.len()));
+        let count = assets.len();
+        let (listed, are) = (counted(count, "asset"), are(count));
+        let message = format!("the folder is a link: {listed} in it {are} not listed");
         let finding = RULE
             .in_layer(layer, folder, message)
             .evidence(Evidence::of_cases(assets));
         out.push(finding.help("copy the folder here, or make links to its files"));
     }
-}
-
-fn are(count: usize) -> String {
-    format!(
-        "{} in it {}",
-        counted(count, "asset"),
-        if count == 1 { "is" } else { "are" }
-    )
 }

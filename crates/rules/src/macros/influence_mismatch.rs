@@ -40,7 +40,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return; // The positions behind it are off by one.
     }
     let readers = Readers::of(macros, patterns);
-    let named: BTreeSet<String> = macros.components.iter().flat_map(patterns).collect();
+    let patterned: BTreeSet<String> = macros.components.iter().flat_map(patterns).collect();
     let doubled = doubled(base);
     for bound in &base.sliders {
         let names = match &bound.pattern {
@@ -60,7 +60,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let used: BTreeSet<i64> = readers.of_any(names).into_iter().map(index).collect();
         // Only components that no definition uses read the slider.
-        if used.is_empty() && names.iter().any(|name| named.contains(name)) {
+        if used.is_empty() && names.iter().any(|name| patterned.contains(name)) {
             continue;
         }
         let missing: Vec<i64> = used

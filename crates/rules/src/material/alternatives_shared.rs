@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Rule, counted};
+use super::super::{Rule, are, counted};
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, grouped};
 use mhlint_discover::Kind;
 use mhlint_repo::{FileFacts, ReferenceKind, View};
@@ -76,11 +76,8 @@ fn has_own(view: &View<'_>, folder: &str) -> bool {
 
 fn finding(rule: &Rule, sort: &str, files: &[&FileFacts]) -> Option<Finding> {
     let first = files.first()?;
-    let are = if files.len() == 1 { "is" } else { "are" };
-    let message = format!(
-        "{} in `{sort}/{SHARED}` {are} not offered",
-        counted(files.len(), "material")
-    );
+    let (materials, are) = (counted(files.len(), "material"), are(files.len()));
+    let message = format!("{materials} in `{sort}/{SHARED}` {are} not offered");
     let finding = rule
         .at(first, Place::File, message)
         .key(sort)

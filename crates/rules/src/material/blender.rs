@@ -13,7 +13,7 @@ use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Sugg
 use mhlint_discover::{Kind, Single};
 use mhlint_formats::mhmat::{Unknown, Word};
 use mhlint_formats::python_float;
-use mhlint_repo::mpfb::{self, Look, Reads, Set, key_names};
+use mhlint_repo::mpfb::{self, Look, Reads, Set, is_key};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer};
 use mhlint_source::{first_name, parent};
 
@@ -391,11 +391,6 @@ fn misspelt(word: &Word, cx: &RuleCx<'_>) -> Option<FaultyLine> {
         word.text.to_string(),
         message,
     ))
-}
-
-/// Whether it is a keyword, in whatever capitals.
-pub(super) fn is_key(word: &str) -> bool {
-    key_names().any(|name| name.eq_ignore_ascii_case(word))
 }
 
 /// A keyword with its value written against it.

@@ -2,9 +2,8 @@
 //! (`docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
 use super::super::Rule;
-use super::blender::is_key;
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place};
-use mhlint_repo::mpfb::Look;
+use mhlint_repo::mpfb::{Look, is_key};
 use mhlint_source::Guess;
 
 /// A file that is something else. What is no text has a finding of its own.

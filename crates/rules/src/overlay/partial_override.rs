@@ -1,7 +1,7 @@
 //! An override that lacks the files it needs beside it.
 
-use super::super::{Check, Rule, RuleCx, counted};
-use super::targets_alone::{self, Gap, NO_FOLDER, are};
+use super::super::{Check, Rule, RuleCx, are, counted};
+use super::targets_alone::{self, Gap, NO_FOLDER};
 use super::{
     SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder,
     overrides, system_folder,

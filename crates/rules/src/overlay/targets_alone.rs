@@ -1,6 +1,6 @@
 //! Targets without any override that would make an application look at them.
 
-use super::super::counted;
+use super::super::{are, counted};
 use super::SystemFolder;
 use mhlint_diag::Level;
 use mhlint_repo::FileFacts;
@@ -16,11 +16,6 @@ pub(super) const NO_FOLDER: &str =
 /// The file at which the gap stands, with the gap.
 pub(super) fn gap<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a FileFacts, Gap)> {
     of_user(base, system).or_else(|| in_contarget(base))
-}
-
-/// The verb behind so many things.
-pub(super) const fn are(count: usize) -> &'static str {
-    if count == 1 { "is" } else { "are" }
 }
 
 /// No override at all, but user targets for a base of user space: they lead to the same folder.

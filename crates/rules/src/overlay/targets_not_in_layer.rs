@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, are, counted};
 use super::{has_misnamed_override, in_other_layer, lacks_folder};
 use mhlint_diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_repo::Reference;
@@ -48,7 +48,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let message = format!(
         "{} {} not in `{}`, the folder in use, but only in `{}`",
         counted(count, "target"),
-        if count == 1 { "is" } else { "are" },
+        are(count),
         used.layer.display(&used.rel()),
         other.layer.display(&other.rel()),
     );

@@ -1,7 +1,7 @@
 //! What MPFB looks up in `macro.json` by its key, and does not find.
 
 use super::super::cause::schema::stands_for;
-use super::super::{Check, Rule, RuleCx, enumerated};
+use super::super::{Check, Rule, RuleCx, are, enumerated};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_formats::macro_parts::Absent;
 use mhlint_repo::FileFacts;
@@ -37,12 +37,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .iter()
             .map(|absent| format!("`{}`", absent.key))
             .collect();
-        let is_one = keys.len() == 1;
-        let message = format!(
-            "{} {} missing",
-            enumerated(&keys),
-            if is_one { "is" } else { "are" }
-        );
+        let message = format!("{} {} missing", enumerated(&keys), are(keys.len()));
         out.push(finding(parts.file, first, &settings, message, "settings"));
     }
     if let Some(first) = of_parts.first() {

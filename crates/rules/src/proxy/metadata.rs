@@ -1,6 +1,6 @@
 //! What an asset says of itself.
 
-use super::super::{Check, Rule, RuleCx, counted, enumerated};
+use super::super::{Check, Rule, RuleCx, are, counted, enumerated};
 use super::{Text, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
@@ -53,11 +53,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         )
     };
     let message = match lacking.len() {
-        1 => format!(
-            "{} {} missing",
-            quoted(wanted),
-            if wanted.len() == 1 { "is" } else { "are" }
-        ),
+        1 => format!("{} {} missing", quoted(wanted), are(wanted.len())),
         count if all.len() == 1 => format!("{} have no {}", counted(count, "asset"), quoted(&all)),
         count => format!("{} lack some of {}", counted(count, "asset"), quoted(&all)),
     };

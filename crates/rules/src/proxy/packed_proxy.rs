@@ -4,8 +4,8 @@
 use super::super::Rule;
 use super::{Lone, listed};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place};
-use mhlint_formats::mhclo::Clothes;
-use mhlint_formats::packed::asset::Packed;
+use mhlint_formats::mhclo::{Clothes, RowFacts};
+use mhlint_formats::packed::asset::{Mask, Packed};
 use mhlint_formats::packed::proxy::PackedProxy;
 use mhlint_formats::python_int;
 use mhlint_repo::makehuman1::{named_by_archive, narrow_mesh};
@@ -121,7 +121,10 @@ fn kinds(proxy: &PackedProxy, clothes: &Clothes) -> Vec<&'static str> {
         ),
         ("scale", has_other_scale(proxy, clothes)),
         ("vertex rows", has_other_rows(proxy, clothes)),
-        ("hidden vertices", has_other_mask(proxy, clothes)),
+        (
+            "hidden vertices",
+            has_other_mask(proxy.mask.as_ref(), &proxy.rows, clothes),
+        ),
     ];
     differs
         .into_iter()
@@ -149,19 +152,13 @@ fn has_other_scale(proxy: &PackedProxy, clothes: &Clothes) -> bool {
     written.iter().all(Option::is_some) && written != proxy.scale
 }
 
-fn has_other_mask(proxy: &PackedProxy, clothes: &Clothes) -> bool {
-    let length = proxy
-        .mask
-        .as_ref()
+/// Whether an archive hides other vertices than its text.
+pub(super) fn has_other_mask(mask: Option<&Mask>, rows: &RowFacts, clothes: &Clothes) -> bool {
+    let vertices = mask
         .map(|mask| mask.length)
-        .or(proxy.rows.mesh.map(|mesh| mesh.vertices));
-    let Some(vertices) = length else { return false };
-    let runs = proxy
-        .mask
-        .as_ref()
-        .map(|mask| mask.runs.as_slice())
-        .unwrap_or_default();
-    clothes.merged_deletes(vertices) != runs
+        .or(rows.mesh.map(|mesh| mesh.vertices));
+    let runs = mask.map(|mask| mask.runs.as_slice()).unwrap_or_default();
+    vertices.is_some_and(|vertices| clothes.merged_deletes(vertices) != runs)
 }
 
 /// The mesh of an archive that is all there is of an asset: the archive was packed elsewhere, or

@@ -128,7 +128,10 @@ fn kinds(archive: &Archive<'_, '_>, text: &Text<'_, '_>) -> Vec<&'static str> {
         ("z_depth", asset.z_depth != depth(text)),
         ("vertex rows", has_other_rows(archive, clothes)),
         ("scale", has_other_scale(archive, clothes)),
-        ("hidden vertices", has_other_mask(archive, clothes)),
+        (
+            "hidden vertices",
+            packed_proxy::has_other_mask(archive.asset.mask.as_ref(), &archive.asset.rows, clothes),
+        ),
         (
             "mesh",
             mesh.is_some_and(|mesh| {
@@ -183,13 +186,4 @@ fn has_other_scale(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
         .scale
         .map(|axes| axes.map(|(a, b, distance)| ([a, b], distance)));
     written != packed
-}
-
-fn has_other_mask(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
-    let mask = archive.asset.mask.as_ref();
-    let vertices =
-        mask.map(|mask| mask.length)
-            .or(archive.asset.rows.mesh.map(|mesh| mesh.vertices));
-    let runs = mask.map(|mask| mask.runs.as_slice()).unwrap_or_default();
-    vertices.is_some_and(|vertices| clothes.merged_deletes(vertices) != runs)
 }
