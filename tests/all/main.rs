@@ -22,6 +22,7 @@ mod config;
 mod corpora;
 mod coverage;
 mod damage;
+mod doubles;
 mod eval;
 #[cfg(unix)]
 mod files;

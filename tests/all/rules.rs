@@ -11,6 +11,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::doubles::{Double, doubles, unlisted, unseen};
 use crate::scratch::memory::{Asked, Memory, concise};
 use crate::scratch::{Case, example_of, findings, folders, mhlint, project};
 use mhlint::Tree;
@@ -32,10 +33,14 @@ fn every_case_gives_exactly_its_findings() {
         .filter(|f| format!("{}/{}", f.rule, f.name).contains(&only))
         .collect();
     assert!(!chosen.is_empty(), "no case fits CASE={only}");
-    let faults: Vec<String> = chosen
-        .par_iter()
-        .filter_map(|fixture| check(fixture))
-        .collect();
+    let (faults, doubles): (Vec<Option<String>>, Vec<Vec<Double>>) =
+        chosen.par_iter().map(|fixture| check(fixture)).unzip();
+    let doubles = doubles.concat();
+    let mut faults: Vec<String> = faults.into_iter().flatten().collect();
+    faults.extend(unlisted(&doubles));
+    if only.is_empty() {
+        assert_eq!(unseen(&doubles), Vec::<[&str; 2]>::new());
+    }
     assert!(
         faults.is_empty(),
         "\n{}\n{} of {} cases",
@@ -81,7 +86,7 @@ fn memory_and_binary_find_the_same() {
         let case = Case::read(&fixture.folder);
         let family = fixture.rule.split('-').next().unwrap().to_owned();
         if case.application.is_none() && Asked::of(&case).is_some() && families.insert(family) {
-            let [ours, binary] = [by_library(&case), by_binary(&case)].map(Result::unwrap);
+            let (ours, binary) = (by_library(&case).unwrap().0, by_binary(&case).unwrap());
             let differs = || format!("{}: {ours:#?} {binary:#?}", fixture.rule);
             faults.extend((ours != binary).then(differs));
         }
@@ -281,13 +286,18 @@ fn fixtures() -> Vec<Fixture> {
 }
 
 /// Runs a case; gives what is wrong with it.
-fn check(fixture: &Fixture) -> Option<String> {
+/// What is wrong with a case, and the findings of it that stand at one place.
+fn check(fixture: &Fixture) -> (Option<String>, Vec<Double>) {
     let case = Case::read(&fixture.folder);
     let title = format!("{}/{}", fixture.rule, fixture.name);
-    let found = match by_library(&case) {
+    let (found, doubles) = match by_library(&case) {
         Ok(found) => found,
-        Err(fault) => return Some(format!("{title}: {fault}")),
+        Err(fault) => return (Some(format!("{title}: {fault}")), Vec::new()),
     };
+    (fault(fixture, &title, &found), doubles)
+}
+
+fn fault(fixture: &Fixture, title: &str, found: &[String]) -> Option<String> {
     let shows_rule = found
         .iter()
         .any(|line| line.contains(&format!("[{}]", fixture.rule)));
@@ -297,19 +307,19 @@ fn check(fixture: &Fixture) -> Option<String> {
             found.join("\n  ")
         ));
     }
-    compare(&title, &fixture.folder.join("expected.txt"), &found)
+    compare(title, &fixture.folder.join("expected.txt"), found)
 }
 
 /// The findings of a case by the library, or by the binary where it needs a disk.
-fn by_library(case: &Case) -> Result<Vec<String>, String> {
+fn by_library(case: &Case) -> Result<(Vec<String>, Vec<Double>), String> {
     let Some(asked) = Asked::of(case) else {
-        return by_binary(case);
+        return by_binary(case).map(|found| (found, Vec::new()));
     };
     let mut repository = Memory::example(case);
     repository.apply(case);
     let outcome = asked.lint(&repository);
     if outcome.is_whole() && outcome.checked_anything() {
-        Ok(concise(&outcome))
+        Ok((concise(&outcome), doubles(&outcome.findings)))
     } else {
         Err(format!(
             "failed {:?} {:?}",

@@ -22,7 +22,7 @@ const NO_RIG: &str = "fails with an exception when the skeleton is chosen";
 const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read empties the list";
 
 #[rustfmt::skip]
-static ROWS: [Row; 29] = [
+pub(super) static ROWS: [Row; 29] = [
     row(Kind::ModifierFile, "/items/properties/modifiers/items/properties/defaultValue", ANY, Error, "fails \
         with `TypeError` at each reset"),
     row(Kind::ModifierFile, "/", ANY, Error, NO_SET),

@@ -14,9 +14,9 @@ use Kind::{BaseJson, ModellingJson, TargetCategories};
 use Level::{Error, Info, Warning};
 
 /// A key that is not read, and what is lost with it.
-struct Row {
-    kind: Kind,
-    meant: &'static str,
+pub(super) struct Row {
+    pub kind: Kind,
+    pub meant: &'static str,
     consequence: Consequence,
 }
 
@@ -36,7 +36,7 @@ const RANDOM_STOPS: &str = "ignores the key and crashes with `KeyError` when it 
     character; the sliders have only one direction";
 
 #[rustfmt::skip]
-static ROWS: [Row; 22] = [
+pub(super) static ROWS: [Row; 22] = [
     row(ModellingJson, "group", Warning, "ignores the key and never shows the slider"),
     row(ModellingJson, "macro_influence", Warning,
         "ignores the key: hides all macro shapes when the slider is opened, until another macro \

@@ -47,7 +47,7 @@ use Kind::{
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 86] = [
+pub(super) static ROWS: [Row; 86] = [
     row(Pose, "/required", ANY, Warning, "lists the pose under its whole path"),
     row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with \
         `TypeError` when it is shown"),

@@ -10,6 +10,8 @@ mod makehuman2;
 mod makehuman2_keys;
 mod makehuman2_values;
 mod mpfb;
+#[cfg(test)]
+mod reach;
 mod table;
 mod unread;
 mod values;

@@ -318,7 +318,7 @@ const NO_NAME: &str =
 
 /// What a value of the macro settings comes to: beginning of its place in the schema; the first
 /// that fits counts.
-static MACRO_PARTS: [(&str, Consequence); 2] = [
+pub(super) static MACRO_PARTS: [(&str, Consequence); 2] = [
     (
         "/$defs/part/properties/low/",
         Consequence::new(Error, NO_NAME),
@@ -330,7 +330,7 @@ static MACRO_PARTS: [(&str, Consequence); 2] = [
 ];
 
 /// What a value of the catalogue comes to where it does not stop the add-on, likewise.
-static CATALOG: [(&str, Consequence); 4] = [
+pub(super) static CATALOG: [(&str, Consequence); 4] = [
     (
         "/$defs/category/properties/targets/",
         Consequence::new(Error, NO_PANEL),

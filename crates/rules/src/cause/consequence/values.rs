@@ -38,8 +38,16 @@ pub(super) const fn row(
 
 /// What the first row for a kind of file that fits a fault comes to.
 pub(super) fn first_fit(rows: &[Row], kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
-    let fits = |row: &&Row| {
-        row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found())
-    };
-    rows.iter().find(fits).map(|row| row.consequence)
+    first_row(rows, kind, &fault.keyword, fault.found()).map(|row| row.consequence)
+}
+
+/// The first row for a place in the schema of a kind of file, and for what was found there.
+pub(super) fn first_row<'r>(
+    rows: &'r [Row],
+    kind: Kind,
+    place: &str,
+    found: Option<&Found>,
+) -> Option<&'r Row> {
+    rows.iter()
+        .find(|row| row.kind == kind && place.starts_with(row.keyword) && (row.found)(found))
 }
