@@ -5,7 +5,63 @@ use std::collections::{BTreeMap, BTreeSet};
 use mhlint::Finding;
 
 /// Rules of which both may speak at one place, and why both are wanted.
-const PAIRS: [(&str, &str, &str); 0] = [];
+const PAIRS: [(&str, &str, &str); 11] = [
+    (
+        "file-backslash-path",
+        "file-case-mismatch",
+        "two slips in one name, each with a fix of its own",
+    ),
+    (
+        "file-backslash-path",
+        "macro-target-extension",
+        "two slips in one name, each with a fix of its own",
+    ),
+    (
+        "file-case-mismatch",
+        "macro-target-extension",
+        "two slips in one name, each with a fix of its own",
+    ),
+    (
+        "file-duplicate-content",
+        "target-unreferenced",
+        "a copy that nothing uses: without the first nobody knows that nothing is lost with it",
+    ),
+    (
+        "json-schema",
+        "parts-coverage",
+        "a truth is read as 1, which the schema calls an info; as 1 it may leave a gap",
+    ),
+    (
+        "mesh-face-out-of-range",
+        "mesh-partial-uv",
+        "faces of another export have two faults, of which neither follows from the other",
+    ),
+    (
+        "mesh-unused-vertex",
+        "mesh-vertex-order",
+        "the vertex that was added stops the program by itself; all behind it have other numbers",
+    ),
+    (
+        "rig-default-position-drift",
+        "rig-zero-length-bone",
+        "a stored place and a length: neither follows from the other",
+    ),
+    (
+        "skeleton-name-asymmetry",
+        "skeleton-noisy-roll",
+        "a name and a direction: neither follows from the other",
+    ),
+    (
+        "skeleton-name-asymmetry",
+        "skeleton-unweighted-bone",
+        "a bone may lack its partner or its weights alone, and the one help cures only one of them",
+    ),
+    (
+        "skeleton-noisy-roll",
+        "skeleton-unweighted-bone",
+        "a direction and weights: neither follows from the other",
+    ),
+];
 
 /// Two rules at one place, sorted, and the place.
 pub(crate) type Double = ([&'static str; 2], String);

@@ -47,4 +47,4 @@ pub use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub use references::References;
 pub use surface::{Picture, Shader, Surface, Wearer};
 pub use view::View;
-pub use worn::Worn;
+pub use worn::{Worn, worn_reader};

@@ -4,7 +4,7 @@ use super::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution};
 use mhlint_diag::{Application, Place};
 use mhlint_discover::Kind;
 use mhlint_formats::asset_mesh::AssetMesh;
-use mhlint_formats::mhclo::{Clothes, Entry};
+use mhlint_formats::mhclo::{self, Clothes, Reader};
 use mhlint_formats::packed::asset::Packed;
 use mhlint_formats::packed::proxy::PackedProxy;
 use mhlint_source::{Guess, normalized, parent};
@@ -49,6 +49,15 @@ fn packed_references<'a>(
     Some(references.into_iter().flatten().collect())
 }
 
+/// How an application reads the text of an asset.
+pub const fn worn_reader(application: Application) -> &'static Reader {
+    match application {
+        Application::Makehuman1 => &mhclo::makehuman1::READER,
+        Application::Makehuman2 => &mhclo::makehuman2::READER,
+        Application::Mpfb => &mhclo::mpfb::READER,
+    }
+}
+
 impl<'a> Worn<'a> {
     /// The texts of assets of a layer, with the body that each is for.
     pub(super) fn all(
@@ -68,13 +77,13 @@ impl<'a> Worn<'a> {
         layer: &'a Layer,
         file: &'a FileFacts,
         base: &'a str,
-        counts: fn(&Entry) -> bool,
+        reader: &'static Reader,
         weights_beside_mesh: bool,
     ) -> Self {
         let own = parent(&file.rel);
         let references = file.clothes().map(|clothes| {
             let named = |keyword, kind, folder: &str| {
-                let entry = clothes.all(keyword).rev().find(|entry| counts(entry))?;
+                let entry = reader.of(clothes).last(keyword)?;
                 let (place, word) = (Place::Span(entry.word_span()), entry.word());
                 Some(Reference::to(
                     &[layer],

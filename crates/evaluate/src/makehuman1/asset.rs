@@ -11,6 +11,7 @@ use mhlint_diag::Application;
 use mhlint_eval::fit::{Reference, deleted_vertices, fit};
 use mhlint_eval::makehuman1::fit::Stretch;
 use mhlint_eval::vector::Point;
+use mhlint_formats::mhclo::makehuman1::READER;
 
 const OWN: Application = Application::Makehuman1;
 
@@ -38,7 +39,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
         clothes,
         obj_path,
         positions,
-    } = read(path, OWN, |entry| !entry.has_colon)?;
+    } = read(path, OWN, &READER)?;
     let stops = |exception, reason| Error::Stops {
         application: OWN,
         exception,

@@ -8,6 +8,7 @@ use mhlint_eval::makehuman1::fit::{ShearLine, Stretch};
 use mhlint_eval::vector::round_to_f32;
 use mhlint_eval::worn::WornMeasure;
 use mhlint_formats::mhclo::Clothes;
+use mhlint_formats::mhclo::makehuman1::READER;
 use mhlint_formats::{python_float, python_int};
 use mhlint_repo::Layers;
 use mhlint_repo::makehuman1::{mesh, shows, worn};
@@ -41,7 +42,7 @@ pub(crate) fn stretch(clothes: &Clothes) -> Stretch {
 }
 
 fn shear_line(clothes: &Clothes, keyword: &str) -> Option<ShearLine> {
-    let entry = clothes.all(keyword).rev().find(|entry| !entry.has_colon)?;
+    let entry = READER.of(clothes).last(keyword)?;
     let mut words = entry
         .value
         .split(' ')

@@ -15,6 +15,7 @@ use mhlint_eval::influences::Influences;
 use mhlint_eval::makehuman2::fit::{axis_scales, derived_weights};
 use mhlint_eval::vector::Point;
 use mhlint_formats::mhclo::Clothes;
+use mhlint_formats::mhclo::makehuman2::READER;
 
 /// An asset with its mesh.
 #[derive(Debug, Clone)]
@@ -41,7 +42,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
         clothes,
         obj_path,
         positions,
-    } = read(path, Application::Makehuman2, |_| true)?;
+    } = read(path, Application::Makehuman2, &READER)?;
     let mut asset = Asset {
         path,
         clothes,

@@ -11,7 +11,7 @@ use crate::outputs::{mesh_json, object, vector};
 use crate::{Error, Evaluation};
 use mhlint_eval::mpfb::fit::{Row, ScaleLine, Stop, fitted, hidden, scales};
 use mhlint_eval::vector::{Point, Vec3};
-use mhlint_formats::mhclo::in_order::{self, InOrder};
+use mhlint_formats::mhclo::mpfb::in_order::{self, InOrder};
 use mhlint_formats::obj::{self, Mesh};
 
 /// An asset with its mesh as Blender imports it.

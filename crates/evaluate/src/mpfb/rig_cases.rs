@@ -17,7 +17,7 @@ use mhlint_eval::mpfb::fit::interpolated;
 use mhlint_eval::mpfb::groups::{FileGroup, Loading, Taker, Takers, load};
 use mhlint_eval::mpfb::rest::Defined;
 use mhlint_eval::vector::{Point, Vec3, round_to_f32};
-use mhlint_formats::{mhclo::in_order, obj};
+use mhlint_formats::{mhclo::mpfb::in_order, obj};
 use mhlint_json::{Node, Value as Json};
 
 type Outputs = Map<String, Value>;

@@ -4,20 +4,23 @@
 //!
 //! Words split at white space; a keyword may have a colon behind it. All lines are read, also
 //! behind one that some application stops at, or that ends a section for it: such lines are kept as
-//! faults. What comes of a fault is a matter of the application's own evaluation.
+//! faults. What an application makes of them is in the file of its name.
 
 mod faults;
-mod flow;
 mod header;
-pub mod in_order;
+pub mod makehuman1;
+pub mod makehuman2;
+pub mod mpfb;
 mod reader;
+mod reading;
 mod remarks;
 mod rows;
 
 pub use faults::{Fault, FaultKind, Faults};
-pub use flow::{Flow, Gap, Part, Stop, StopCause};
 pub use header::{Entry, Scanned, Value};
+pub use mpfb::{Flow, Gap, Part, Stop, StopCause};
 pub use reader::parse;
+pub use reading::{Reader, Reading, Stopped};
 pub use rows::{DeleteFacts, RowFacts, VISIBLE_SUM};
 
 use super::outdated::Outdated;

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::flow::Machine;
 use super::header::{Header, Words};
+use super::mpfb::Machine;
 use super::remarks::Remarks;
 use super::{Clothes, Fault, FaultKind, Reference, Scale, Section};
 use crate::fields::fields;

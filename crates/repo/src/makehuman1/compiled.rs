@@ -8,6 +8,7 @@ use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Worn
 use mhlint_diag::Place;
 use mhlint_discover::archive_library_of;
 use mhlint_formats::asset_mesh::KeptFaces;
+use mhlint_formats::mhclo;
 use mhlint_formats::packed::asset::Packed;
 use mhlint_formats::packed::proxy::{PackedProxy, USUAL_POLE};
 use mhlint_formats::python_int;
@@ -115,7 +116,7 @@ pub(super) fn asked_faces(worn: &Worn<'_>) -> Vec<u64> {
         .or_else(|| Packed::proxy_of(worn.binary?.packed()));
     let entry = worn
         .clothes()
-        .and_then(|clothes| clothes.all("max_pole").rev().find(|entry| !entry.has_colon));
+        .and_then(|clothes| mhclo::makehuman1::READER.of(clothes).last("max_pole"));
     let said = entry.and_then(|entry| u64::try_from(python_int(entry.word().as_bytes())?).ok());
     let of_text = worn
         .clothes()

@@ -3,6 +3,7 @@
 
 use crate::{FileFacts, Worn};
 use mhlint_discover::{archive_library_of, library_of};
+use mhlint_formats::mhclo::makehuman1::READER;
 use mhlint_formats::mhclo::{Clothes, Entry};
 
 /// What is worn and listed.
@@ -53,7 +54,7 @@ impl<'a> Asset<'a> {
 
 /// The last line of a keyword with a value. One with a colon is another word to the program.
 fn last<'a>(clothes: &'a Clothes, keyword: &str) -> Option<Known<'a>> {
-    let entry = clothes.all(keyword).rev().find(|entry| !entry.has_colon)?;
+    let entry = READER.of(clothes).last(keyword)?;
     Some(Known {
         text: &entry.value,
         entry: Some(entry),

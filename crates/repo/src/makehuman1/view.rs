@@ -18,6 +18,7 @@ use crate::{
 use mhlint_diag::Application;
 use mhlint_discover::{Kind, library_of};
 use mhlint_formats::asset_mesh::AssetMesh;
+use mhlint_formats::mhclo;
 use mhlint_formats::obj::Mesh;
 use mhlint_formats::packed::asset::Packed;
 use mhlint_source::parent;
@@ -339,7 +340,7 @@ fn custom_target(file: &FileFacts) -> Target<'_> {
 pub fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
     let worn = |layer| {
         let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
-        let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
+        let of = move |(file, base)| Worn::of(layer, file, base, &mhclo::makehuman1::READER, false);
         listed.map(move |one| {
             let worn = Worn {
                 drops_bytes: true,

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use super::OWN;
 use crate::{Layers, Worn};
 use mhlint_discover::{Kind, Layout};
+use mhlint_formats::mhclo;
 
 /// The assets of all layers, sorted by base; those of one alone if it is named.
 pub fn worn<'a>(layers: Layers<'a>, base: Option<&str>) -> Vec<Worn<'a>> {
@@ -23,7 +24,16 @@ pub fn worn<'a>(layers: Layers<'a>, base: Option<&str>) -> Vec<Worn<'a>> {
             matches!(file.kind_in(OWN), Kind::Clothes | Kind::Packed) && scans(&file.rel)
         });
         let of = |file| {
-            Some(Worn::of(layer, file, file.base_in(OWN)?, |_| true, true).beside_system(layers))
+            Some(
+                Worn::of(
+                    layer,
+                    file,
+                    file.base_in(OWN)?,
+                    &mhclo::makehuman2::READER,
+                    true,
+                )
+                .beside_system(layers),
+            )
         };
         worn.extend(files.filter_map(of));
     }

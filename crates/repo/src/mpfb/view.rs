@@ -21,6 +21,7 @@ use mhlint_diag::{Application, Place};
 use mhlint_discover::{Kind, Layout, Refusal};
 use mhlint_formats::macro_parts::SETTINGS;
 use mhlint_formats::mesh_metadata::VertexGroups;
+use mhlint_formats::mhclo;
 use mhlint_formats::obj::Mesh;
 use mhlint_formats::rig::Rig as Definition;
 use mhlint_formats::target_catalog::{Category, TargetCatalog};
@@ -459,7 +460,7 @@ fn first_folder(rel: &str) -> &str {
 fn worn<'a>(layers: impl Iterator<Item = &'a Layer>) -> Vec<Worn<'a>> {
     let of_layer = |layer| {
         Worn::all(layer, OWN).map(|(file, base)| {
-            let mut worn = Worn::of(layer, file, base, |name| !name.has_colon, false);
+            let mut worn = Worn::of(layer, file, base, &mhclo::mpfb::READER, false);
             if let Some(references) = &mut worn.references {
                 references.retain(|one| one.kind != ReferenceKind::AssetWeights);
                 references.extend(weights_of(layer, file, base));

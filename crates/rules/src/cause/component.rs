@@ -13,6 +13,26 @@ pub(crate) fn is_sound_component(file: &FileFacts, component: &Component) -> boo
     is_sound(file, &pointer(&["components", &component.name]))
 }
 
+/// A combination counts only above this weight (`docs/loaders/makehuman2/macros.md#evaluation`).
+pub(crate) const SMALLEST_WEIGHT: f64 = 0.01;
+
+/// How many combinations of a macro definition are active at once between its steps, each with the
+/// same weight; nothing if a component is unknown.
+pub(crate) fn active_at_once(macros: &MacroFile, macrodef: &Macrodef) -> Option<f64> {
+    let component = |name: &String| macros.components.iter().find(|own| own.name == *name);
+    let names = macrodef.components.iter();
+    names
+        .map(|name| component(name).map(active_values))
+        .product()
+}
+
+/// How many values of a component are active at once where most are: two between steps, three in a
+/// triangle.
+fn active_values(component: &Component) -> f64 {
+    let slots = if component.steps.is_some() { 2 } else { 3 };
+    component.values.len().clamp(1, slots) as f64
+}
+
 /// Whether every value has a step or a corner of its own: `macro-steps-length`, `macro-sum-arity`.
 pub(crate) fn is_even(component: &Component) -> bool {
     let places = match (&component.steps, &component.sum) {

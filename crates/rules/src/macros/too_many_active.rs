@@ -1,9 +1,9 @@
 //! So many components blend at once that no combination is strong enough.
 
+use super::super::cause::component::{SMALLEST_WEIGHT, active_at_once};
 use super::super::{Check, Rule, RuleCx};
 use super::space::Space;
 use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use mhlint_formats::macro_json::Component;
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -20,18 +20,14 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
-/// A combination counts only above this weight (`docs/loaders/makehuman2/macros.md#evaluation`).
-const SMALLEST_WEIGHT: f64 = 0.01;
-
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else {
         return;
     };
     for macrodef in &macros.macrodefs {
-        let Some(space) = Space::of(macros, macrodef) else {
-            continue;
-        };
-        let active: f64 = space.axes.iter().map(|axis| active_values(axis)).product();
+        let active =
+            active_at_once(macros, macrodef).filter(|_| Space::of(macros, macrodef).is_some());
+        let Some(active) = active else { continue };
         if 1.0 / active > SMALLEST_WEIGHT {
             continue;
         }
@@ -47,11 +43,4 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .key(macrodef.components.join("-"));
         out.push(finding.help("split the macrodef into several with fewer components each"));
     }
-}
-
-/// How many values of a component are active at once where most are: two between steps, three in a
-/// triangle.
-fn active_values(component: &Component) -> f64 {
-    let slots = if component.steps.is_some() { 2 } else { 3 };
-    component.values.len().clamp(1, slots) as f64
 }

@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use mhlint_formats::asset_mesh::AssetMesh;
 use mhlint_formats::mhclo::Entry;
+use mhlint_formats::mhclo::makehuman1::READER;
 use mhlint_formats::python_int;
 use mhlint_repo::{Body, Worn};
 
@@ -66,11 +67,7 @@ fn most(mesh: &AssetMesh) -> Option<(u32, u32, &'static str)> {
 }
 
 fn finding(worn: &Worn<'_>) -> Option<Finding> {
-    let entry = worn
-        .clothes()?
-        .all("max_pole")
-        .rev()
-        .find(|entry| !entry.has_colon);
+    let entry = READER.of(worn.clothes()?).last("max_pole");
     let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
     let (vertex, most, what) = most(mesh)?;
     // A word that is no number has a finding of its own.

@@ -1,5 +1,6 @@
 //! What the cut-off of small factors throws away.
 
+use super::super::cause::component::{SMALLEST_WEIGHT, active_at_once};
 use super::super::{Check, Rule, RuleCx};
 use super::{percent, title, to_see};
 use mhlint_diag::{
@@ -39,12 +40,20 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         return;
     };
     let limit = cx.option(&RULE, "percent") / 100.0;
+    // Where all combinations are too weak, `macro-too-many-active` says so.
+    let is_told = |number: usize| {
+        let active = macros
+            .macrodefs
+            .get(number)
+            .and_then(|macrodef| active_at_once(macros, macrodef));
+        active.is_some_and(|active| 1.0 / active <= SMALLEST_WEIGHT)
+    };
     let over = || {
         measures
             .macros
             .losses
             .iter()
-            .filter(|(_, lost, _)| *lost > limit)
+            .filter(|(number, lost, _)| *lost > limit && !is_told(*number))
     };
     let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else {
         return;

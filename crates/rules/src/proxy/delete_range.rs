@@ -125,7 +125,7 @@ fn word(text: &Text<'_, '_>) -> Option<Finding> {
     if sections::keyword_below_list(text).is_some() {
         return None;
     }
-    let (faults, count) = text.faults(|kind| kind == FaultKind::DeleteWord)?;
+    let (faults, count) = text.reading.faults(|kind| kind == FaultKind::DeleteWord)?;
     let first = faults.first()?;
     let message = format!(
         "`{}` among the vertices to hide is not a whole number{}",
@@ -165,7 +165,7 @@ fn beside_keyword(text: &Text<'_, '_>) -> Option<Finding> {
 }
 
 fn leading_dash(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, _) = text.faults(|kind| kind == FaultKind::OpenRange)?;
+    let (faults, _) = text.reading.faults(|kind| kind == FaultKind::OpenRange)?;
     let first = faults.first()?;
     let message = "the list of vertices to hide begins with a dash";
     let finding = RULE

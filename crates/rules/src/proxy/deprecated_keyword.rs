@@ -1,12 +1,12 @@
 //! Bone weights have a file of their own.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::{Text, keywords, texts};
+use super::{Text, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
-use mhlint_formats::mhclo::{Entry, FaultKind};
+use mhlint_formats::mhclo::{Entry, FaultKind, makehuman1};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -32,7 +32,7 @@ const PASSED_OVER: Case = &[(
 /// The first line with a keyword of old.
 fn passed_over(text: &Text<'_, '_>) -> Option<Finding> {
     let is_old = |entry: &&Entry| {
-        !entry.is_comment && !entry.has_colon && keywords::OLD.contains(&&*entry.keyword)
+        !entry.is_comment && !entry.has_colon && makehuman1::OLD.contains(&&*entry.keyword)
     };
     let found: Vec<&Entry> = text
         .clothes

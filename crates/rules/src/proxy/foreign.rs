@@ -10,7 +10,7 @@ const FEW: u64 = 20;
 impl<'v> Text<'_, 'v> {
     /// The base mesh that it says it is for, if that is another one than it lies with.
     pub(super) fn other_base(&self) -> Option<&'v str> {
-        Some(self.last("basemesh")?.word()).filter(|word| *word != self.worn.base)
+        Some(self.reading.last("basemesh")?.word()).filter(|word| *word != self.worn.base)
     }
 
     /// Whether `proxy-vertex-out-of-range` reports vertices that the base mesh does not have.
@@ -34,14 +34,17 @@ impl<'v> Text<'_, 'v> {
     }
 
     fn is_counted(&self, body: &Body<'_>) -> bool {
-        !self.stops() && self.size_of_base(body).is_some()
+        !self.reading.stops() && self.size_of_base(body).is_some()
     }
 
     /// Whether it is one of another base mesh by its scale lines, which is reported for these.
     pub(super) fn is_foreign_by_scale(&self, body: &Body<'_>) -> bool {
         let is_scaled =
             (self.is_makehuman1() || !self.worn.is_topology()) && self.clothes.rows.has_offsets;
-        is_scaled && self.other_base().is_some() && !self.stops() && is_told_by_scale(body, self)
+        is_scaled
+            && self.other_base().is_some()
+            && !self.reading.stops()
+            && is_told_by_scale(body, self)
     }
 
     /// What to do with an asset that says which base mesh it is for; `otherwise` if that is this

@@ -54,7 +54,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = body.whole_mesh() else {
         return;
     };
-    for text in texts(body).filter(|text| !text.worn.is_topology() && !text.stops()) {
+    for text in texts(body).filter(|text| !text.worn.is_topology() && !text.reading.stops()) {
         if text.clothes.deleted.is_empty() || text.size_of_base(body).is_none() {
             continue;
         }

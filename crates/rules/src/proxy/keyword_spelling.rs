@@ -71,6 +71,7 @@ fn colon(text: &Text<'_, '_>, keyword: &str) -> Option<Finding> {
         scanned.uuid.is_some()
     };
     let entry = text
+        .reading
         .last(keyword)
         .filter(|entry| entry.has_colon && !is_seen)?;
     Some(

@@ -1,64 +1,9 @@
 //! The keywords of assets, and which one a misspelt one is meant to be.
 
 use mhlint_diag::{Application, begins_word, glued, is_like_path, nearest};
-use mhlint_formats::mhclo::{Entry, Section};
+use mhlint_formats::mhclo::makehuman2::KEYWORDS as READ;
+use mhlint_formats::mhclo::{Entry, Section, makehuman1};
 use mhlint_formats::python_float;
-
-/// What MakeHuman 2 reads.
-const READ: [&str; 18] = [
-    "name",
-    "uuid",
-    "description",
-    "author",
-    "license",
-    "homepage",
-    "tag",
-    "obj_file",
-    "material",
-    "vertexboneweights_file",
-    "version",
-    "z_depth",
-    "x_scale",
-    "y_scale",
-    "z_scale",
-    "verts",
-    "delete_verts",
-    "weights",
-];
-
-/// What MakeHuman 1 reads besides.
-const OF_MAKEHUMAN1: [&str; 12] = [
-    "max_pole",
-    "special_pose",
-    "uvLayer",
-    "shear_x",
-    "shear_y",
-    "shear_z",
-    "l_shear_x",
-    "l_shear_y",
-    "l_shear_z",
-    "r_shear_x",
-    "r_shear_y",
-    "r_shear_z",
-];
-
-/// Of old: MakeHuman 1 knows them and passes over them
-/// (`docs/loaders/makehuman1/clothes.md#keywords`).
-pub(super) const OLD: [&str; 13] = [
-    "backface_culling",
-    "transparent",
-    "shapekey",
-    "subsurf",
-    "shrinkwrap",
-    "solidify",
-    "objfile_layer",
-    "uvtex_layer",
-    "use_projection",
-    "mask_uv_layer",
-    "texture_uv_layer",
-    "delete",
-    "vertexgroup_file",
-];
 
 /// What MakeHuman 1 keeps and never looks at, and what only MPFB reads.
 const OTHERS: [&str; 2] = ["basemesh", "texture"];
@@ -71,12 +16,6 @@ const ALIASES: [(&str, &str); 5] = [
     ("mesh", "obj_file"),
     ("obj", "obj_file"),
 ];
-
-/// Whether MakeHuman 1 reads the keyword, or passes over it as one of old.
-pub(super) fn known_to_makehuman1(keyword: &str) -> bool {
-    let of_others = keyword == "texture";
-    !of_others && (READ.contains(&keyword) || is_other(keyword))
-}
 
 /// Whether a line has one of the keywords that MakeHuman 1 cannot take, outside of comments.
 pub(super) fn is_licence(entry: &Entry) -> bool {
@@ -104,7 +43,7 @@ pub(super) fn is_known(entry: &Entry) -> bool {
 /// The keyword of an application that a line of an unknown one is meant to have.
 pub(super) fn meant_in(application: Application, entry: &Entry) -> Option<&'static str> {
     let own: &[&str] = if application == Application::Makehuman1 {
-        &OF_MAKEHUMAN1
+        &makehuman1::KEYWORDS
     } else {
         &[]
     };
@@ -186,7 +125,10 @@ pub(super) fn corrected(entry: &Entry, meant: &str) -> String {
 
 /// Keywords that MakeHuman 2 has no use for.
 fn others() -> impl Iterator<Item = &'static str> {
-    OF_MAKEHUMAN1.into_iter().chain(OLD).chain(OTHERS)
+    makehuman1::KEYWORDS
+        .into_iter()
+        .chain(makehuman1::OLD)
+        .chain(OTHERS)
 }
 
 fn is_other(word: &str) -> bool {

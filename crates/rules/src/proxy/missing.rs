@@ -10,7 +10,7 @@ pub(super) fn missing(
     keyword: &str,
     example: &str,
 ) -> Option<(Place, String, String)> {
-    let loaded = text.last(keyword);
+    let loaded = text.reading.last(keyword);
     // Nothing behind a misplaced list is read.
     if sections::keyword_below_list(text).is_some() {
         return None;

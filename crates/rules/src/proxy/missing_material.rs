@@ -97,7 +97,7 @@ fn absent(
     let near = cx
         .suggestions
         .nearest(reference.text, neighbours(body, text, "mhmat"));
-    let whole = text.last("material").map(|entry| &*entry.value);
+    let whole = text.reading.last("material").map(|entry| &*entry.value);
     let help = meant_beside(body.layers.checked, &reference.rel, whole);
     let help = help.unwrap_or_else(|| did_you_mean(near, "correct the name, or add the material"));
     let finding = RULE
@@ -119,7 +119,7 @@ fn unnamed(body: &Body<'_>, text: &Text<'_, '_>) -> Option<Finding> {
         return None;
     }
     // MakeHuman 1 stops at a line without a value (`proxy-syntax`).
-    if text.is_makehuman1() && text.stops() {
+    if text.is_makehuman1() && text.reading.stops() {
         return None;
     }
     let help = match neighbours(body, text, "mhmat").first() {

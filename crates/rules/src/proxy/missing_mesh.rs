@@ -88,7 +88,7 @@ fn absent(
     }
     let message = format!("mesh `{}` {what}", reference.text);
     let names = neighbours(body, text, "obj");
-    let whole = text.last("obj_file").map(|entry| &*entry.value);
+    let whole = text.reading.last("obj_file").map(|entry| &*entry.value);
     let help = meant_beside(body.layers.checked, &reference.rel, whole).unwrap_or_else(|| {
         did_you_mean(
             cx.suggestions.nearest(reference.text, names),

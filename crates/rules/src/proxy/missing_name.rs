@@ -28,7 +28,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for text in texts(body) {
         let is_missing = if text.is_makehuman1() {
-            text.last("name").is_none()
+            text.reading.last("name").is_none()
         } else {
             text.clothes.scanned.name.is_none()
         };

@@ -44,7 +44,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for text in texts(body) {
         // An empty line is worse in MakeHuman 1, and has a finding of its own.
-        let is_lost = || text.last("uuid").is_none() && empty_uuid(text.clothes).is_none();
+        let is_lost = || text.reading.last("uuid").is_none() && empty_uuid(text.clothes).is_none();
         let is_missing = if text.is_makehuman1() {
             is_lost()
         } else {

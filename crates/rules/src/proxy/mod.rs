@@ -31,7 +31,6 @@ mod missing_uuid;
 mod missing_weights;
 mod non_finite;
 mod offsets_lost;
-mod older;
 mod packed_proxy;
 mod ranges_before_verts;
 mod rows_reordered;
@@ -111,7 +110,6 @@ pub(super) static RULES: &[&Rule] = &[
 ];
 
 use archives::{Archive, Lone, archives, lone_archives, rebuild};
-use older::needs_value;
 
 use super::such;
 use mhlint_diag::{
@@ -120,9 +118,9 @@ use mhlint_diag::{
 };
 use mhlint_eval::measures::Measures;
 use mhlint_eval::worn::{Numbering, WornMeasure};
-use mhlint_formats::mhclo::{Clothes, Entry, Fault, FaultKind, Scale, Section};
+use mhlint_formats::mhclo::{Clothes, Entry, Fault, Reading, Scale};
 use mhlint_formats::target::MeshSize;
-use mhlint_repo::{Body, FileFacts, Reference, Resolution, Worn};
+use mhlint_repo::{Body, FileFacts, Reference, Resolution, Worn, worn_reader};
 
 /// An asset of the checked layer with its text.
 #[derive(Clone, Copy)]
@@ -132,6 +130,8 @@ struct Text<'b, 'v> {
     worn: &'b Worn<'v>,
     file: &'v FileFacts,
     clothes: &'v Clothes,
+    /// What the application takes of it.
+    reading: Reading<'v>,
 }
 
 /// The assets of the checked layer of which the text can be relied on. A file of something else has
@@ -148,11 +148,13 @@ fn all_texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
         .filter(|worn| body.layers.is_checked(worn.file));
     let application = body.application();
     own.filter_map(move |worn| {
+        let clothes = worn.clothes()?;
         Some(Text {
             application,
             worn,
             file: worn.file,
-            clothes: worn.clothes()?,
+            clothes,
+            reading: worn_reader(application).of(clothes),
         })
     })
 }
@@ -195,62 +197,12 @@ impl<'v> Text<'_, 'v> {
         self.application == Makehuman1
     }
 
-    /// A fault at which the loader stops, before anything is put on.
-    fn stops(&self) -> bool {
-        use FaultKind::{
-            DeleteWord, FieldCount, NotWhole, OldFormat, OpenRange, RowWord, ScaleWord, ShortScale,
-        };
-        let stops = |kind| {
-            matches!(
-                kind,
-                DeleteWord
-                    | FieldCount(_)
-                    | NotWhole
-                    | OldFormat
-                    | OpenRange
-                    | RowWord
-                    | ScaleWord
-                    | ShortScale
-            )
-        };
-        match self.application {
-            Makehuman1 => older::stops(self),
-            _ => self.clothes.faults.iter().any(|fault| stops(fault.kind)),
-        }
-    }
-
     /// A vertex of the asset, with its group in the mesh.
     fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
         self.worn.mesh().map_or_else(
             || format!("vertex {vertex}"),
             |(_, mesh)| mesh.named(vertex),
         )
-    }
-
-    /// The first few faults of one kind, and how many there are.
-    fn faults(&self, is_wanted: impl Fn(FaultKind) -> bool) -> Option<(Vec<&'v Fault>, u64)> {
-        let (faults, count) = self.clothes.faults.of(is_wanted)?;
-        match self.application {
-            Makehuman1 => older::meant(self, faults, count),
-            _ => Some((faults.iter().collect(), count)),
-        }
-    }
-
-    /// The last line of a keyword that has a value and that the application knows.
-    fn last(&self, keyword: &str) -> Option<&'v Entry> {
-        let is_known = |entry: &&Entry| self.application != Makehuman1 || !entry.has_colon;
-        self.clothes.all(keyword).rev().find(is_known)
-    }
-
-    /// Whether the section of the rows was ever opened.
-    fn has_rows_section(&self) -> bool {
-        let is_known = |entry: &Entry| self.application != Makehuman1 || !entry.has_colon;
-        let mut opened = self
-            .clothes
-            .entries
-            .iter()
-            .filter(|entry| entry.section == Section::Vertices);
-        opened.any(|entry| &*entry.keyword == "verts" && is_known(entry))
     }
 }
 
@@ -259,7 +211,7 @@ fn measured<'b, 'v>(
     body: &'b Body<'v>,
     measures: &'b Measures,
 ) -> impl Iterator<Item = (Text<'b, 'v>, &'b WornMeasure)> {
-    let sound = texts(body).filter(|text| !text.stops());
+    let sound = texts(body).filter(|text| !text.reading.stops());
     sound.filter_map(|text| Some((text, measures.worn.get(&text.file.path)?)))
 }
 

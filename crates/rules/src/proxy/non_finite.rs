@@ -31,7 +31,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
         return blender::rows::not_finite(&RULE, body, out);
     }
-    for text in texts(body).filter(|text| !text.stops()) {
+    for text in texts(body).filter(|text| !text.reading.stops()) {
         let rows = &text.clothes.rows;
         let line = rows
             .non_finite

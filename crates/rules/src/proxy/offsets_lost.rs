@@ -23,10 +23,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.layers.checks_system() {
         return;
     }
-    for text in texts(body).filter(|text| !text.stops()) {
+    for text in texts(body).filter(|text| !text.reading.stops()) {
         let rows = &text.clothes.rows;
         // Without a uuid, and with `uvLayer`, no archive is made.
-        let is_compiled = text.last("uuid").is_some() && text.last("uvLayer").is_none();
+        let is_compiled =
+            text.reading.last("uuid").is_some() && text.reading.last("uvLayer").is_none();
         if !is_compiled || !rows.has_offsets || rows.has_shares {
             continue;
         }

@@ -4,7 +4,7 @@
 use super::super::Rule;
 use super::{Lone, listed};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place};
-use mhlint_formats::mhclo::{Clothes, RowFacts};
+use mhlint_formats::mhclo::{Clothes, RowFacts, makehuman1};
 use mhlint_formats::packed::asset::{Mask, Packed};
 use mhlint_formats::packed::proxy::PackedProxy;
 use mhlint_formats::python_int;
@@ -91,7 +91,8 @@ fn missing<'v>(body: &Body<'v>, file: &'v FileFacts, kind: ReferenceKind) -> Opt
 
 /// Everything that differs.
 fn kinds(proxy: &PackedProxy, clothes: &Clothes) -> Vec<&'static str> {
-    let last = |keyword: &str| clothes.all(keyword).rev().find(|entry| !entry.has_colon);
+    let reading = makehuman1::READER.of(clothes);
+    let last = |keyword: &str| reading.last(keyword);
     let value = |keyword: &str| last(keyword).map_or("", |entry| &*entry.value);
     let word = |keyword: &str| last(keyword).map_or("", |entry| entry.word());
     let ([name, uuid], [mesh, material, weights]) = (&proxy.identity, &proxy.files);

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{AXES, Text, blender, older, scale_lines, scale_vertices, shear, texts};
+use super::{AXES, Text, blender, scale_lines, scale_vertices, shear, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -61,7 +61,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(scale_lines::unreadable(&RULE, &text));
         out.extend(shear::finding(&RULE, body, &text));
         // Topologies are scaled by MakeHuman 1 alone.
-        if text.stops() || text.worn.is_topology() && !text.is_makehuman1() {
+        if text.reading.stops() || text.worn.is_topology() && !text.is_makehuman1() {
             continue;
         }
         // Without offsets there is nothing to scale, but what stops the loader stops it, and what
@@ -115,7 +115,7 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
                 .help(help),
         );
     }
-    if let Some((message, case)) = older::distance(text, name, scale.distance) {
+    if let Some((message, case)) = scale_lines::distance(text, name, scale.distance) {
         return Some(told(message).case(case).help(help));
     }
     if scale.distance < SMALLEST && !text.is_makehuman1() {

@@ -81,12 +81,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn above(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, count) = text.faults(|kind| kind == FaultKind::NumbersInHeader)?;
+    let (faults, count) = text
+        .reading
+        .faults(|kind| kind == FaultKind::NumbersInHeader)?;
     // The numbers of an old section belong to it.
-    let is_old = text.faults(|kind| kind == FaultKind::OldFormat).is_some();
+    let is_old = text
+        .reading
+        .faults(|kind| kind == FaultKind::OldFormat)
+        .is_some();
     let first = faults
         .first()
-        .filter(|_| text.has_rows_section() && !is_old)?;
+        .filter(|_| text.reading.opens_rows() && !is_old)?;
     let message = format!("a line of numbers is above `verts`{}", more(count));
     let is_complete = text
         .worn
@@ -107,10 +112,12 @@ fn above(text: &Text<'_, '_>) -> Option<Finding> {
 }
 
 fn rows(text: &Text<'_, '_>) -> Option<Finding> {
-    if text.has_rows_section() || text.has_hidden("verts") {
+    if text.reading.opens_rows() || text.has_hidden("verts") {
         return None;
     }
-    let numbers = text.faults(|kind| kind == FaultKind::NumbersInHeader);
+    let numbers = text
+        .reading
+        .faults(|kind| kind == FaultKind::NumbersInHeader);
     if let Some(entry) = text.misspelt("verts") {
         let message = format!(
             "`{}` is not the keyword `verts`: the asset has no vertex rows",
@@ -149,7 +156,7 @@ fn list(text: &Text<'_, '_>) -> Option<Finding> {
 
 /// A range is no row.
 fn dash_among_rows(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, _) = text.faults(|kind| kind == FaultKind::RowWord)?;
+    let (faults, _) = text.reading.faults(|kind| kind == FaultKind::RowWord)?;
     let first = faults.iter().find(|fault| &*fault.word == "-")?;
     let message =
         "a range of vertices is among the vertex rows: `delete_verts` is missing above it";

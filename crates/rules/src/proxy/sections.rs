@@ -1,14 +1,14 @@
 //! Which lines of an asset stand in another section than they are meant for.
 
 use super::Text;
-use super::keywords::known_to_makehuman1;
 use mhlint_diag::Application::Makehuman1;
-use mhlint_formats::mhclo::{Entry, FaultKind, Section};
+use mhlint_formats::mhclo::{Entry, FaultKind, Section, makehuman1};
 
 /// The first line from which on rows are meant as something else; beyond the end if there is none.
 pub(super) fn misplaced_from(text: &Text<'_, '_>) -> u32 {
     let misspelt = misspelt_list(text).map(|entry| entry.line);
     let dash = text
+        .reading
         .faults(|kind| kind == FaultKind::RowWord)
         .and_then(|(faults, _)| {
             faults
@@ -21,14 +21,16 @@ pub(super) fn misplaced_from(text: &Text<'_, '_>) -> u32 {
 
 /// Whether the rows are lost as a whole.
 pub(super) fn has_no_rows(text: &Text<'_, '_>) -> bool {
-    !text.has_rows_section()
+    !text.reading.opens_rows()
 }
 
 /// How many lines of numbers stand above `verts`, where nothing reads them.
 pub(super) fn rows_above(text: &Text<'_, '_>) -> u64 {
-    let above = text.faults(|kind| kind == FaultKind::NumbersInHeader);
+    let above = text
+        .reading
+        .faults(|kind| kind == FaultKind::NumbersInHeader);
     above
-        .filter(|_| text.has_rows_section())
+        .filter(|_| text.reading.opens_rows())
         .map_or(0, |(_, count)| count)
 }
 
@@ -55,7 +57,7 @@ pub(super) fn is_among_rows(text: &Text<'_, '_>, entry: &Entry) -> bool {
 pub(super) fn keyword_below_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
     // MakeHuman 1 knows its keywords wherever they stand.
     let is_read =
-        |entry: &Entry| text.application == Makehuman1 && known_to_makehuman1(&entry.keyword);
+        |entry: &Entry| text.application == Makehuman1 && makehuman1::knows(&entry.keyword);
     let in_list = |entry: &&Entry| {
         entry.section == Section::Deleted && &*entry.keyword != "delete_verts" && !is_read(entry)
     };

@@ -38,7 +38,7 @@ pub(super) fn finding(rule: &Rule, body: &Body<'_>, text: &Text<'_, '_>) -> Opti
     let written = SETS
         .iter()
         .flatten()
-        .filter_map(|keyword| text.last(keyword));
+        .filter_map(|keyword| text.reading.last(keyword));
     let unreadable = written
         .clone()
         .find_map(|entry| unreadable(rule, text, entry));
@@ -114,8 +114,10 @@ fn beside_scale(rule: &Rule, text: &Text<'_, '_>) -> Option<Finding> {
     let entry = SETS
         .iter()
         .flatten()
-        .find_map(|keyword| text.last(keyword))?;
-    let scale = AXES.into_iter().find(|axis| text.last(axis).is_some())?;
+        .find_map(|keyword| text.reading.last(keyword))?;
+    let scale = AXES
+        .into_iter()
+        .find(|axis| text.reading.last(axis).is_some())?;
     let message = format!("`{}` has no effect together with `{scale}`", entry.keyword);
     Some(
         told(rule, text, entry, message)
@@ -145,8 +147,10 @@ fn flat(rule: &Rule, text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
 }
 
 fn incomplete(rule: &Rule, text: &Text<'_, '_>, set: &[&str; 3]) -> Option<Finding> {
-    let entry = set.iter().find_map(|keyword| text.last(keyword))?;
-    let missing = set.iter().find(|keyword| text.last(keyword).is_none())?;
+    let entry = set.iter().find_map(|keyword| text.reading.last(keyword))?;
+    let missing = set
+        .iter()
+        .find(|keyword| text.reading.last(keyword).is_none())?;
     let message = format!("`{missing}` is missing beside `{}`", entry.keyword);
     Some(
         told(rule, text, entry, message)

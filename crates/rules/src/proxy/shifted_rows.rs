@@ -40,7 +40,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return blender::rows::signs(&RULE, body, out);
     }
     for text in texts(body) {
-        let dropped = text.faults(|kind| kind == FaultKind::DroppedRow);
+        let dropped = text.reading.faults(|kind| kind == FaultKind::DroppedRow);
         let Some((faults, count)) = dropped.filter(|(faults, _)| !faults.is_empty()) else {
             continue;
         };

@@ -48,7 +48,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     let known = identities(body);
     for archive in archives(body) {
-        let Some(text) = archive.text.filter(|text| !text.stops()) else {
+        let Some(text) = archive.text.filter(|text| !text.reading.stops()) else {
             continue;
         };
         let kinds = kinds(&archive, &text);
@@ -148,6 +148,7 @@ fn kinds(archive: &Archive<'_, '_>, text: &Text<'_, '_>) -> Vec<&'static str> {
 
 fn depth(text: &Text<'_, '_>) -> i64 {
     let written = text
+        .reading
         .last("z_depth")
         .and_then(|entry| python_int(entry.word().as_bytes()));
     if text.worn.is_topology() {

@@ -1,12 +1,12 @@
 //! Numbers must be where numbers belong.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, all_texts, blender, lines, more, needs_value, sections, texts};
+use super::{INDEX, Text, VALUE, all_texts, blender, lines, more, sections, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
-use mhlint_formats::mhclo::{Fault, FaultKind};
+use mhlint_formats::mhclo::{Fault, FaultKind, makehuman1};
 use mhlint_formats::{python_float, python_int};
 use mhlint_repo::Body;
 
@@ -69,9 +69,10 @@ fn of_rows<'v>(
     text: &Text<'_, 'v>,
     wanted: fn(FaultKind) -> bool,
 ) -> Option<(Vec<&'v Fault>, u64)> {
-    let (faults, count) = text.faults(wanted)?;
+    let (faults, count) = text.reading.faults(wanted)?;
     // At `weights` MakeHuman 2 refuses the asset: it reads no row behind it.
     let refused = text
+        .reading
         .faults(|kind| kind == FaultKind::OldFormat)
         .filter(|_| !text.is_makehuman1());
     let refused = refused
@@ -128,6 +129,7 @@ fn short_rows(text: &Text<'_, '_>) -> Option<Finding> {
 
 fn whole_numbers(text: &Text<'_, '_>) -> Option<Finding> {
     let pole = text
+        .reading
         .last("max_pole")
         .filter(|entry| text.is_makehuman1() && python_int(entry.word().as_bytes()).is_none());
     if let Some(entry) = pole {
@@ -138,7 +140,7 @@ fn whole_numbers(text: &Text<'_, '_>) -> Option<Finding> {
             .case(VALUE);
         return Some(finding.help("write a whole number"));
     }
-    let (faults, _) = text.faults(|kind| kind == FaultKind::NotWhole)?;
+    let (faults, _) = text.reading.faults(|kind| kind == FaultKind::NotWhole)?;
     let first = faults.first()?;
     let entry = text
         .clothes
@@ -155,10 +157,12 @@ fn whole_numbers(text: &Text<'_, '_>) -> Option<Finding> {
 /// MakeHuman 1 reads the word behind these keywords, whether there is one or not.
 fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
     let (faults, _) = text
+        .reading
         .faults(|kind| kind == FaultKind::MissingValue)
         .filter(|_| text.is_makehuman1())?;
     // A missing mesh has a finding of its own.
-    let of_own = |fault: &&&Fault| needs_value(&fault.word) && &*fault.word != "obj_file";
+    let of_own =
+        |fault: &&&Fault| makehuman1::needs_value(&fault.word) && &*fault.word != "obj_file";
     let first = faults.iter().find(of_own)?;
     let message = format!("`{}` has no value", first.word);
     Some(

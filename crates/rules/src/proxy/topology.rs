@@ -25,9 +25,9 @@ const MATERIAL: Case = &[(
 )];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for text in texts(body).filter(|text| text.worn.is_topology() && !text.stops()) {
+    for text in texts(body).filter(|text| text.worn.is_topology() && !text.reading.stops()) {
         let is_told = sections::misspelt_list(&text).is_some();
-        if text.clothes.deleted.is_empty() && !is_told && text.last("obj_file").is_some() {
+        if text.clothes.deleted.is_empty() && !is_told && text.reading.last("obj_file").is_some() {
             let finding = RULE.at(
                 text.file,
                 Place::File,
@@ -44,7 +44,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn material(text: &Text<'_, '_>) -> Option<Finding> {
-    let entry = text.last("material")?;
+    let entry = text.reading.last("material")?;
     let finding = RULE.at(
         text.file,
         Place::Span(entry.word_span()),

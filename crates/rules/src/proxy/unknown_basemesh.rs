@@ -31,7 +31,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let base = text.worn.base;
-        let Some(entry) = text.last("basemesh") else {
+        let Some(entry) = text.reading.last("basemesh") else {
             continue;
         };
         let named = shown(entry.word());

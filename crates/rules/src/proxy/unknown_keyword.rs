@@ -58,7 +58,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             };
             // With a line of the right keyword nothing is missing.
             // Each tag counts.
-            let is_there = text.last(meant).is_some() && meant != "tag";
+            let is_there = text.reading.last(meant).is_some() && meant != "tag";
             let message = format!("unknown keyword `{}`", entry.written());
             let finding = RULE
                 .at(text.file, Place::Span(entry.keyword_span.clone()), message)

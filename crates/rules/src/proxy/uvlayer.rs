@@ -25,7 +25,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for text in texts(body) {
-        let Some(entry) = text.last("uvLayer") else {
+        let Some(entry) = text.reading.last("uvLayer") else {
             continue;
         };
         let finding = RULE.at(

@@ -26,7 +26,11 @@ const KNOWN: i64 = 110;
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         // A word that is no number, and rows that cannot be read, have findings of their own.
-        let Some(entry) = text.last("version").filter(|_| !text.stops()) else {
+        let Some(entry) = text
+            .reading
+            .last("version")
+            .filter(|_| !text.reading.stops())
+        else {
             continue;
         };
         let Some(number) = python_int(entry.word().as_bytes()).filter(|number| *number != KNOWN)

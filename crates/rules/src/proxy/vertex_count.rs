@@ -43,7 +43,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
         return blender::rows::count(&RULE, body, out);
     }
-    for text in texts(body).filter(|text| !text.stops()) {
+    for text in texts(body).filter(|text| !text.reading.stops()) {
         out.extend(finding(body, &text));
     }
     out.extend(

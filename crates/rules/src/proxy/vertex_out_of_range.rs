@@ -72,7 +72,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
         return blender::rows::range(&RULE, body, out);
     }
-    for text in texts(body).filter(|text| !text.stops()) {
+    for text in texts(body).filter(|text| !text.reading.stops()) {
         let (rows, deletes) = (&text.clothes.rows, &text.clothes.deletes);
         let unstorable = finding(&text, &rows.unstorable, "a vertex row", None)
             .map(|one| one.key("unstorable").case(OVERFLOW));

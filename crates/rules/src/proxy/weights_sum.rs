@@ -67,7 +67,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
         return blender::rows::sums(&RULE, body, out);
     }
-    for text in texts(body).filter(|text| !text.stops()) {
+    for text in texts(body).filter(|text| !text.reading.stops()) {
         let rows = &text.clothes.rows;
         // Sums that few decimals explain are told where there are no others.
         let is_slight = rows.coarse_sums.count == 0;

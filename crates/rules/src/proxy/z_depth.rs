@@ -36,10 +36,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(is_hair)
         .map(|text| depth(&text).unwrap_or(USUAL))
         .min();
-    for text in texts(body).filter(|text| !text.stops()) {
+    for text in texts(body).filter(|text| !text.reading.stops()) {
         out.extend(without_value(&text));
         let Some(depth) = depth(&text) else { continue };
-        let Some(entry) = text.last("z_depth") else {
+        let Some(entry) = text.reading.last("z_depth") else {
             continue;
         };
         let told = |message: String| RULE.at(text.file, Place::Span(entry.word_span()), message);
@@ -88,7 +88,7 @@ fn is_hair(text: &Text<'_, '_>) -> bool {
 }
 
 fn depth(text: &Text<'_, '_>) -> Option<i64> {
-    python_int(text.last("z_depth")?.word().as_bytes())
+    python_int(text.reading.last("z_depth")?.word().as_bytes())
 }
 
 fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
@@ -96,7 +96,7 @@ fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
     let empty = entries
         .iter()
         .find(|entry| &*entry.keyword == "z_depth" && entry.value.is_empty())?;
-    if text.last("z_depth").is_some() || text.worn.is_topology() {
+    if text.reading.last("z_depth").is_some() || text.worn.is_topology() {
         return None;
     }
     let finding = RULE.at(

@@ -34,7 +34,7 @@ use mhlint_formats::target::name::TargetName;
 use mhlint_json::{SchemaFault, UnknownKey};
 use mhlint_repo::makehuman1::Unused;
 use mhlint_repo::{FileFacts, ReferenceKind, Target, View};
-pub(crate) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
+pub(crate) use mpfb::{BY_HAND, MACRO_ROWS, NO_MESH_NAMED, NO_PART};
 
 /// When an application opens a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -175,14 +175,8 @@ pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<
     if is_empty_target && view.layers().checked.file(rel).is_some_and(is_identity) {
         return None;
     }
-    if damage == Damage::MarkedWord
-        && view
-            .layers()
-            .checked
-            .file(rel)
-            .is_some_and(|file| hides_version(view, file))
-    {
-        return Some(Consequence::new(Level::Error, makehuman1::RESET));
+    if let Some(own) = of_marked_word(view, rel).filter(|_| damage == Damage::MarkedWord) {
+        return Some(own);
     }
     if is_list_without_archive(view, rel) {
         return None;
@@ -206,16 +200,23 @@ fn is_list_without_archive(view: &View<'_>, rel: &str) -> bool {
         .is_none_or(|archive| archive.unused == Some(Unused::Closed))
 }
 
-/// Whether a byte order mark makes the first word of a model unreadable and that word is `version`:
-/// MakeHuman 1 reads no model without a version.
-fn hides_version(view: &View<'_>, file: &FileFacts) -> bool {
-    let is_version = || {
-        file.encoding
-            .marked_words
-            .first()
-            .is_some_and(|word| &**word == "version")
-    };
-    view.is_makehuman1() && view.kind_at(&file.rel) == Kind::Model && is_version()
+/// What becomes of a file in which a byte order mark makes the first word unreadable, where all
+/// depends on that word: the version of a model, the mesh of an asset.
+fn of_marked_word(view: &View<'_>, rel: &str) -> Option<Consequence> {
+    let word = view
+        .layers()
+        .checked
+        .file(rel)?
+        .encoding
+        .marked_words
+        .first()?;
+    match (view.application(), view.kind_at(rel), &**word) {
+        (Makehuman1, Kind::Model, "version") => {
+            Some(Consequence::new(Level::Error, makehuman1::RESET))
+        }
+        (Mpfb, Kind::Clothes, "obj_file") => Some(Consequence::new(Level::Error, NO_MESH_NAMED)),
+        _ => None,
+    }
 }
 
 /// What the application does if a name in a file leads to no file; `None` if the application has no

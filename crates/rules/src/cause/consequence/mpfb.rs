@@ -117,6 +117,10 @@ const fn stopped(effect: &'static str) -> [Cell; 5] {
 
 /// Files are not parsed when they are listed (`docs/loaders/mpfb/libraries.md#sections`).
 const NOT_LOADED_ASSET: &str = "lists the asset, and fails with an exception when it is loaded";
+/// An asset without a mesh.
+pub(crate) const NO_MESH_NAMED: &str =
+    "fails with `ValueError` when the asset is loaded: no mesh is named";
+
 const NOT_WORN: &[Cell] = &[
     cell(Damage::Closed, Error, NOT_LOADED_ASSET),
     cell(Damage::Pointer, Error, NOT_LOADED_ASSET),

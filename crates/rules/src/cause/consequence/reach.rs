@@ -104,13 +104,12 @@ fn fails(place: &str, wanted: &Value, sort: &str) -> bool {
 fn unmet(rows: &[Row]) -> Vec<String> {
     let is_met = |row: &Row| {
         let schema = schema(row.kind);
-        let met = places(&schema).into_iter().any(|(place, wanted)| {
+        places(&schema).into_iter().any(|(place, wanted)| {
             samples().iter().any(|(sort, found)| {
                 let first = values::first_row(rows, row.kind, &place, found.as_ref());
                 fails(&place, wanted, sort) && first.is_some_and(|first| std::ptr::eq(first, row))
             })
-        });
-        met
+        })
     };
     rows.iter()
         .filter(|row| !is_met(row))

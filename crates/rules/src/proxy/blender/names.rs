@@ -5,17 +5,14 @@
 use super::super::keywords::corrected;
 use super::super::{Text, is_unwalked, neighbours, texts};
 use super::{at, whole};
+use crate::cause::consequence::NO_MESH_NAMED;
 use crate::{Rule, RuleCx, did_you_mean, meant_beside, shown};
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place};
 use mhlint_discover::{Kind, extension};
 use mhlint_formats::mhclo::Entry;
 use mhlint_repo::{Body, Reference, ReferenceKind, Resolution};
 
-const NO_MESH: Case = &[(
-    Mpfb,
-    Level::Error,
-    "fails with `ValueError` when the asset is loaded: no mesh is named",
-)];
+const NO_MESH: Case = &[(Mpfb, Level::Error, NO_MESH_NAMED)];
 
 /// The mesh.
 pub(in crate::proxy) fn mesh(
@@ -26,15 +23,8 @@ pub(in crate::proxy) fn mesh(
 ) {
     for text in whole(body) {
         if text.clothes.flow.line_of("obj_file").is_none() {
-            out.push(
-                unread(
-                    rule,
-                    &text,
-                    "obj_file",
-                    "a line `obj_file` with the file name of the mesh",
-                )
-                .case(NO_MESH),
-            );
+            let add = "a line `obj_file` with the file name of the mesh";
+            out.extend(unread(rule, &text, "obj_file", add).map(|found| found.case(NO_MESH)));
             continue;
         }
         let reference = text.worn.reference(ReferenceKind::AssetMesh);
@@ -71,15 +61,8 @@ pub(in crate::proxy) fn material(
         |text: &Text<'_, '_>| !text.worn.is_topology() && extension(&text.file.rel) != "proxy";
     for text in whole(body).filter(is_worn) {
         if text.clothes.flow.line_of("material").is_none() {
-            out.push(
-                unread(
-                    rule,
-                    &text,
-                    "material",
-                    "a line `material` with the name of a material",
-                )
-                .case(NONE),
-            );
+            let add = "a line `material` with the name of a material";
+            out.extend(unread(rule, &text, "material", add).map(|found| found.case(NONE)));
             continue;
         }
         let Some(reference) = text.worn.reference(ReferenceKind::AssetMaterial) else {
@@ -122,18 +105,21 @@ pub(in crate::proxy) fn known_by(
     out: &mut Vec<Finding>,
 ) {
     for text in whole(body).filter(|text| text.clothes.flow.line_of(keyword).is_none()) {
-        out.push(unread(rule, &text, keyword, &format!("a line `{keyword}`")));
+        out.extend(unread(rule, &text, keyword, &format!("a line `{keyword}`")));
     }
 }
 
 /// A keyword that is not read, in words: with a colon, where a section swallows it, or not there at
-/// all.
-fn unread(rule: &Rule, text: &Text<'_, '_>, keyword: &'static str, add: &str) -> Finding {
+/// all. Behind a byte order mark it is another word, and the mark has a finding of its own.
+fn unread(rule: &Rule, text: &Text<'_, '_>, keyword: &'static str, add: &str) -> Option<Finding> {
+    if text.has_hidden(keyword) {
+        return None;
+    }
     let told = |place, message: String, help: String| {
         rule.at(text.file, place, message).key(keyword).help(help)
     };
     let own = |entry: &&Entry| &*entry.keyword == keyword && !entry.is_comment;
-    match text.clothes.entries.iter().find(own) {
+    Some(match text.clothes.entries.iter().find(own) {
         Some(entry) if entry.has_colon => {
             let message = format!("`{keyword}:` has a colon and is another word");
             told(
@@ -151,17 +137,6 @@ fn unread(rule: &Rule, text: &Text<'_, '_>, keyword: &'static str, add: &str) ->
                 "move the line above `verts`".to_owned(),
             )
         }
-        // Behind a byte order mark the word is another one; that has a finding of its own, which
-        // says what is lost.
-        None if text.has_hidden(keyword) => {
-            let message =
-                format!("`{keyword}` stands behind a byte order mark, which makes it another word");
-            told(
-                Place::Line(1),
-                message,
-                "save the file as UTF-8 without a byte order mark".to_owned(),
-            )
-        }
         None => match text.misspelt(keyword) {
             Some(entry) => {
                 let message = format!("`{}` is not the keyword `{keyword}`", entry.keyword);
@@ -177,7 +152,7 @@ fn unread(rule: &Rule, text: &Text<'_, '_>, keyword: &'static str, add: &str) ->
                 format!("add {add}"),
             ),
         },
-    }
+    })
 }
 
 /// A licence that is recorded as another one.

@@ -1,13 +1,23 @@
-//! What a reader takes of the lines that ends a section at the first line of another sort, and
-//! throws that line away (`docs/loaders/mpfb/clothes.md#rows-of-an-asset`).
+//! An asset as MPFB reads it (`docs/loaders/mpfb/clothes.md#rows-of-an-asset`): line by line, where
+//! a section ends at the first line of another sort, and that line is thrown away.
+
+pub mod in_order;
 
 use std::collections::BTreeMap;
 
-use super::in_order::{InOrder, Row};
+use super::reading::{Reader, Stopped};
 use crate::{python_float, python_int};
+use in_order::{InOrder, Row};
 use mhlint_diag::EXAMPLES;
 
 type Word<'l> = (usize, &'l [u8]);
+
+/// How it reads. Its sections and rows are in [`Flow`].
+pub static READER: Reader = Reader {
+    knows: |entry| !entry.has_colon,
+    is_fault: |_, _| true,
+    stop: |clothes| clothes.flow.stop.as_ref().map(Stop::stopped),
+};
 
 /// What comes of the lines.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -63,6 +73,27 @@ pub enum StopCause {
     ScaleWord,
     /// A word of the list that is not a number.
     ListWord,
+}
+
+impl Stop {
+    fn stopped(&self) -> Stopped {
+        let exception = self.cause.exception();
+        Stopped {
+            line: self.line,
+            exception,
+            reason: format!("`{}` cannot be read", self.word),
+        }
+    }
+}
+
+impl StopCause {
+    /// What the loader stops with.
+    const fn exception(self) -> &'static str {
+        match self {
+            Self::NoValue | Self::Words(_) | Self::ShortScale => "IndexError",
+            Self::Value | Self::RowWord | Self::ScaleWord | Self::ListWord => "ValueError",
+        }
+    }
 }
 
 /// Lines of numbers that nothing reads.
@@ -368,8 +399,8 @@ fn is_digits(word: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::parse;
     use super::*;
+    use crate::mhclo::parse;
 
     fn of(text: &str) -> Flow {
         parse(text.as_bytes(), None).flow

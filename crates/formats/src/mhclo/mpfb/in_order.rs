@@ -1,7 +1,7 @@
 //! An asset as MPFB reads it: line by line, where a line can end what came before it
 //! (`docs/loaders/mpfb/clothes.md#lines`).
 
-use super::flow::{Machine, StopCause};
+use super::Machine;
 use crate::fields::fields;
 use mhlint_source::lines;
 
@@ -37,18 +37,8 @@ pub fn read(text: &[u8]) -> InOrder {
     }
     let (found, stop) = machine.into_kept();
     InOrder {
-        stop: stop.map(|stop| (stop.line, exception(stop.cause))),
+        stop: stop.map(|stop| (stop.line, stop.cause.exception())),
         ..found
-    }
-}
-
-/// What the loader stops with.
-const fn exception(cause: StopCause) -> &'static str {
-    match cause {
-        StopCause::NoValue | StopCause::Words(_) | StopCause::ShortScale => "IndexError",
-        StopCause::Value | StopCause::RowWord | StopCause::ScaleWord | StopCause::ListWord => {
-            "ValueError"
-        }
     }
 }
 
