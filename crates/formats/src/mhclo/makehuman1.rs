@@ -10,6 +10,8 @@ use crate::python_int;
 pub static READER: Reader = Reader {
     knows: |entry| !entry.has_colon,
     is_fault,
+    passes_over: &OLD,
+    needs_value,
     stop: |clothes| first_stop(clothes, |fault| stop(clothes, fault)),
 };
 
@@ -55,7 +57,7 @@ pub fn knows(keyword: &str) -> bool {
 }
 
 /// Keywords whose line is not read without a value.
-pub fn needs_value(keyword: &str) -> bool {
+fn needs_value(keyword: &str) -> bool {
     let own = [
         "obj_file",
         "material",

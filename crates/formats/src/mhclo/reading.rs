@@ -9,6 +9,10 @@ pub struct Reader {
     pub(super) knows: fn(&Entry) -> bool,
     /// Whether what is wrong with a line is wrong for it.
     pub(super) is_fault: fn(&Clothes, &Fault) -> bool,
+    /// Keywords of old that it knows and passes over.
+    pub(super) passes_over: &'static [&'static str],
+    /// Whether it reads the word behind a keyword, whether there is one or not.
+    pub(super) needs_value: fn(&str) -> bool,
     /// Where it stops before anything is put on.
     pub(super) stop: fn(&Clothes) -> Option<Stopped>,
 }
@@ -61,6 +65,16 @@ impl<'t> Reading<'t> {
     /// Whether the application knows a line by its keyword.
     pub fn knows(&self, entry: &Entry) -> bool {
         (self.reader.knows)(entry)
+    }
+
+    /// Whether it knows the keyword of a line as one of old, and passes over it.
+    pub fn passes_over(&self, entry: &Entry) -> bool {
+        self.knows(entry) && self.reader.passes_over.contains(&&*entry.keyword)
+    }
+
+    /// Whether it reads the word behind a keyword, whether there is one or not.
+    pub fn needs_value(&self, keyword: &str) -> bool {
+        (self.reader.needs_value)(keyword)
     }
 
     /// Whether it stops before anything is put on.

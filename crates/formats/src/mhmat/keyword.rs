@@ -3,6 +3,8 @@
 //! `docs/loaders/makehuman1/materials.md#material-keywords`,
 //! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
+use mhlint_diag::Application::{self, Makehuman1, Makehuman2, Mpfb};
+
 /// A keyword.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Keyword {
@@ -12,6 +14,15 @@ pub struct Keyword {
     pub value: Value,
     /// The keyword that it is another name for.
     pub alias_of: Option<&'static str>,
+    /// Who reads it under this name.
+    readers: &'static [Application],
+}
+
+impl Keyword {
+    /// Whether an application reads it under this name.
+    pub fn is_read_by(&self, application: Application) -> bool {
+        self.readers.contains(&application)
+    }
 }
 
 /// What stands behind a keyword.
@@ -35,11 +46,12 @@ pub enum Value {
     Parameter,
 }
 
-const fn row(name: &'static str, value: Value) -> Keyword {
+const fn row(name: &'static str, value: Value, readers: &'static [Application]) -> Keyword {
     Keyword {
         name,
         value,
         alias_of: None,
+        readers,
     }
 }
 
@@ -48,51 +60,73 @@ const fn alias(name: &'static str, of: &'static str) -> Keyword {
         name,
         value: Picture,
         alias_of: Some(of),
+        readers: &[],
     }
 }
 
 use Value::{Colour, Flag, Number, Parameter, Picture, Text, Whole, Word};
 
+const ALL: &[Application] = &[Makehuman2, Makehuman1, Mpfb];
+const MH2: &[Application] = &[Makehuman2];
+const MH1: &[Application] = &[Makehuman1];
+const MPFB: &[Application] = &[Mpfb];
+/// What MPFB has kept of MakeHuman 1.
+const OLDER: &[Application] = &[Makehuman1, Mpfb];
+/// What came with physically based shading.
+const NEWER: &[Application] = &[Makehuman2, Mpfb];
+
 #[rustfmt::skip]
 static KEYWORDS: [Keyword; 88] = [
-    row("name", Text), row("description", Text), row("tag", Text), row("uuid", Text),
-    row("author", Text), row("license", Text), row("homepage", Text),
-    row("diffuseTexture", Picture), row("normalmapTexture", Picture), row("aomapTexture", Picture),
-    row("metallicRoughnessTexture", Picture), row("emissiveTexture", Picture),
-    row("bumpmapTexture", Picture), row("displacementmapTexture", Picture),
-    row("specularmapTexture", Picture), row("transparencymapTexture", Picture),
-    row("transmissionmapTexture", Picture), row("opacitymapTexture", Picture),
-    row("roughnessmapTexture", Picture), row("metallicmapTexture", Picture),
-    row("emissionColorMapTexture", Picture), row("emissionStrengthMapTexture", Picture),
-    row("subsurfaceColorMapTexture", Picture), row("subsurfaceStrengthMapTexture", Picture),
-    row("litsphereTexture", Picture), alias("diffusemapTexture", "diffuseTexture"),
-    alias("albedoTexture", "diffuseTexture"), alias("albedoMapTexture", "diffuseTexture"),
-    alias("basecolorTexture", "diffuseTexture"), alias("basecolorMapTexture", "diffuseTexture"),
-    alias("bumpTexture", "bumpmapTexture"), alias("opacityTexture", "opacitymapTexture"),
+    row("name", Text, ALL), row("description", Text, ALL), row("tag", Text, ALL),
+    row("uuid", Text, MPFB), row("author", Text, OLDER), row("license", Text, OLDER),
+    row("homepage", Text, MPFB), row("diffuseTexture", Picture, ALL),
+    row("normalmapTexture", Picture, ALL), row("aomapTexture", Picture, ALL),
+    row("metallicRoughnessTexture", Picture, MH2), row("emissiveTexture", Picture, MH2),
+    row("bumpmapTexture", Picture, OLDER), row("displacementmapTexture", Picture, OLDER),
+    row("specularmapTexture", Picture, OLDER), row("transparencymapTexture", Picture, MH1),
+    row("transmissionmapTexture", Picture, MPFB), row("opacitymapTexture", Picture, MPFB),
+    row("roughnessmapTexture", Picture, MPFB), row("metallicmapTexture", Picture, MPFB),
+    row("emissionColorMapTexture", Picture, MPFB), row("emissionStrengthMapTexture", Picture, MPFB),
+    row("subsurfaceColorMapTexture", Picture, MPFB),
+    row("subsurfaceStrengthMapTexture", Picture, MPFB), row("litsphereTexture", Picture, MPFB),
+    alias("diffusemapTexture", "diffuseTexture"), alias("albedoTexture", "diffuseTexture"),
+    alias("albedoMapTexture", "diffuseTexture"), alias("basecolorTexture", "diffuseTexture"),
+    alias("basecolorMapTexture", "diffuseTexture"), alias("bumpTexture", "bumpmapTexture"),
+    alias("opacityTexture", "opacitymapTexture"),
     alias("emissionTexture", "emissionColorMapTexture"),
     alias("sssTexture", "subsurfaceColorMapTexture"),
-    alias("sssMapTexture", "subsurfaceColorMapTexture"), row("shader", Word), row("uvMap", Word),
-    row("blendMaterial", Word), row("shaderParam", Parameter), row("shaderDefine", Word),
-    row("shaderConfig", Parameter), row("transparent", Flag), row("alphaToCoverage", Flag),
-    row("backfaceCull", Flag), row("shadeless", Flag), row("wireframe", Flag),
-    row("depthless", Flag), row("castShadows", Flag), row("receiveShadows", Flag),
-    row("autoBlendSkin", Flag), row("sssEnabled", Flag), row("colorationMethod", Whole),
-    row("ambientColor", Colour), row("diffuseColor", Colour), row("emissiveColor", Colour),
-    row("specularColor", Colour), row("colorationColor", Colour), row("glassColor", Colour),
-    row("viewPortColor", Colour), row("viewPortAlpha", Number), row("diffuseIntensity", Number),
-    row("specularIntensity", Number), row("normalmapIntensity", Number),
-    row("aomapIntensity", Number), row("bumpmapIntensity", Number),
-    row("displacementmapIntensity", Number), row("specularmapIntensity", Number),
-    row("transparencymapIntensity", Number), row("opacitymapIntensity", Number),
-    row("emissionIntensity", Number), row("subsurfaceIntensity", Number),
-    row("roughnessFactor", Number), row("metallicFactor", Number), row("emissiveFactor", Number),
-    row("transmission", Number), row("glassRoughness", Number), row("ior", Number),
-    row("roughness", Number), row("metallic", Number), row("shininess", Number),
-    row("opacity", Number), row("translucency", Number), row("sssRScale", Number),
-    row("sssGScale", Number), row("sssBScale", Number), row("displacementMapIntensity", Number),
+    alias("sssMapTexture", "subsurfaceColorMapTexture"), row("shader", Word, ALL),
+    row("uvMap", Word, MH1), row("blendMaterial", Word, MPFB), row("shaderParam", Parameter, ALL),
+    row("shaderDefine", Word, MH1), row("shaderConfig", Parameter, MH1),
+    row("transparent", Flag, ALL), row("alphaToCoverage", Flag, ALL),
+    row("backfaceCull", Flag, ALL), row("shadeless", Flag, OLDER), row("wireframe", Flag, OLDER),
+    row("depthless", Flag, OLDER), row("castShadows", Flag, OLDER),
+    row("receiveShadows", Flag, OLDER), row("autoBlendSkin", Flag, OLDER),
+    row("sssEnabled", Flag, OLDER), row("colorationMethod", Whole, MH2),
+    row("ambientColor", Colour, ALL), row("diffuseColor", Colour, ALL),
+    row("emissiveColor", Colour, ALL), row("specularColor", Colour, ALL),
+    row("colorationColor", Colour, MH2), row("glassColor", Colour, MH2),
+    row("viewPortColor", Colour, OLDER), row("viewPortAlpha", Number, MH1),
+    row("diffuseIntensity", Number, OLDER), row("specularIntensity", Number, MH1),
+    row("normalmapIntensity", Number, ALL), row("aomapIntensity", Number, ALL),
+    row("bumpmapIntensity", Number, OLDER), row("displacementmapIntensity", Number, MH1),
+    row("specularmapIntensity", Number, OLDER), row("transparencymapIntensity", Number, MH1),
+    row("opacitymapIntensity", Number, MPFB), row("emissionIntensity", Number, MPFB),
+    row("subsurfaceIntensity", Number, MPFB), row("roughnessFactor", Number, MH2),
+    row("metallicFactor", Number, MH2), row("emissiveFactor", Number, MH2),
+    row("transmission", Number, MH2), row("glassRoughness", Number, MH2), row("ior", Number, NEWER),
+    row("roughness", Number, MPFB), row("metallic", Number, MPFB), row("shininess", Number, OLDER),
+    row("opacity", Number, OLDER), row("translucency", Number, OLDER),
+    row("sssRScale", Number, OLDER), row("sssGScale", Number, OLDER),
+    row("sssBScale", Number, OLDER), row("displacementMapIntensity", Number, MPFB),
     alias("opacityMapTexture", "opacitymapTexture"),
     alias("emissiveMapTexture", "emissionColorMapTexture"),
 ];
+
+/// The keywords that an application reads.
+pub fn keywords_of(application: Application) -> impl Iterator<Item = &'static Keyword> {
+    keywords().filter(move |keyword| keyword.is_read_by(application))
+}
 
 /// All keywords of all applications.
 pub fn keywords() -> impl Iterator<Item = &'static Keyword> {

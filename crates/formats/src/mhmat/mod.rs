@@ -8,13 +8,14 @@
 //! each application.
 
 mod keyword;
+pub mod mpfb;
 mod reader;
 mod statement;
 
 use std::ops::Range;
 
-pub use keyword::keywords;
 pub use keyword::{Keyword, Value};
+pub use keyword::{keywords, keywords_of};
 pub use reader::read;
 pub use statement::Statement;
 

@@ -3,21 +3,13 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::keyword::{self, Value};
+use super::keyword::{self, Keyword, Value};
 use super::statement::statements;
 use super::{Line, MOST_LINES, MOST_UNKNOWN, Material, Texture, Unknown, Word};
 use crate::fields::fields;
+use mhlint_diag::Application::Makehuman2;
 use mhlint_source::lines;
 
-/// The keywords of pictures of which the last one that is found counts, so that not the last line
-/// alone is kept.
-const TEXTURES: [&str; 5] = [
-    "diffuseTexture",
-    "normalmapTexture",
-    "aomapTexture",
-    "metallicRoughnessTexture",
-    "emissiveTexture",
-];
 /// Words of a line that are kept: a keyword wants three at most, and one more shows that there are
 /// too many.
 const WORDS: usize = 5;
@@ -46,7 +38,7 @@ pub fn read(text: &[u8]) -> Material {
             continue;
         }
         if keyword.value == Value::Picture {
-            texture(&mut material, keyword.name, rest, start);
+            texture(&mut material, keyword, rest, start);
         }
         let kept = rest
             .iter()
@@ -70,8 +62,15 @@ fn kept(start: usize, (at, word): &(usize, &[u8])) -> Word {
     }
 }
 
-fn texture(material: &mut Material, keyword: &'static str, rest: &[(usize, &[u8])], start: usize) {
-    let is_sought = TEXTURES.contains(&keyword);
+/// A picture of which the last one that is found counts for MakeHuman 2, so that not the last line
+/// alone is kept.
+fn texture(
+    material: &mut Material,
+    keyword: &'static Keyword,
+    rest: &[(usize, &[u8])],
+    start: usize,
+) {
+    let is_sought = keyword.is_read_by(Makehuman2);
     let Some(((at, word), lost)) = rest.split_first().filter(|_| is_sought) else {
         return;
     };
@@ -84,7 +83,7 @@ fn texture(material: &mut Material, keyword: &'static str, rest: &[(usize, &[u8]
         .collect();
     let span = start + at..start + at + word.len();
     material.textures.push(Texture {
-        keyword,
+        keyword: keyword.name,
         word: name.into(),
         lost: lost.join(" ").into(),
         span,

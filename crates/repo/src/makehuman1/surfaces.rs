@@ -9,19 +9,9 @@ use crate::surface::{Picture, Shader};
 use crate::{Layers, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn};
 use mhlint_diag::Place;
 use mhlint_discover::{Kind, SHADER_FILES, library_of};
-use mhlint_formats::mhmat::{Line, Material, Value, Word};
+use mhlint_formats::mhmat::{Line, Material, Value, Word, keywords_of};
 use mhlint_formats::shader_source::Shape;
 
-/// The keywords of pictures that it reads, each of which the last line counts.
-const PICTURES: [&str; 7] = [
-    "diffuseTexture",
-    "bumpmapTexture",
-    "normalmapTexture",
-    "displacementmapTexture",
-    "specularmapTexture",
-    "transparencymapTexture",
-    "aomapTexture",
-];
 /// The skin that it starts with.
 const DEFAULT_SKIN: &str = "skins/default.mhmat";
 /// What stands for no map of texture coordinates.
@@ -84,7 +74,7 @@ impl<'a> Looked<'a> {
             let word = material.last(keyword)?.words.first()?;
             Some(self.reference(ReferenceKind::Texture, word, keyword))
         };
-        let mut references: Vec<_> = PICTURES.into_iter().filter_map(picture).collect();
+        let mut references: Vec<_> = pictures().filter_map(picture).collect();
         references.extend(
             litsphere(material).map(|word| self.reference(ReferenceKind::Texture, word, LITSPHERE)),
         );
@@ -132,9 +122,8 @@ impl<'a> Looked<'a> {
                 .find(|one| one.owner == owner)
                 .map(picture)
         };
-        let pictures = PICTURES
-            .iter()
-            .filter_map(|keyword| Some((*keyword, of(keyword)?)))
+        let pictures = pictures()
+            .filter_map(|keyword| Some((keyword, of(keyword)?)))
             .collect();
         let named =
             parameters(material, shader.as_ref()).filter_map(|(name, _)| Some((name, of(name)?)));
@@ -214,9 +203,15 @@ fn parameters<'a>(
         let is_last = material
             .parameter(name)
             .is_some_and(|last| std::ptr::eq(last, line));
-        let is_other = name != LITSPHERE && !PICTURES.contains(&name);
+        let is_other = name != LITSPHERE && !pictures().any(|own| own == name);
         (is_picture && is_last && is_other && word.number().is_none()).then_some((name, word))
     })
+}
+
+/// The keywords of pictures that it reads, each of which the last line counts.
+fn pictures() -> impl Iterator<Item = &'static str> {
+    let own = keywords_of(OWN).filter(|keyword| keyword.value == Value::Picture);
+    own.map(|keyword| keyword.name)
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {

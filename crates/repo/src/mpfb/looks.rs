@@ -3,13 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use super::keys::{Key, Reads, key};
 use super::view::OWN;
 use crate::path::resolve;
 use crate::{FileFacts, Layer, Reference, ReferenceKind, Wearer, Worn};
 use mhlint_diag::Place;
 use mhlint_discover::Kind;
-use mhlint_formats::mhmat::{Material, Statement};
+use mhlint_formats::mhmat::mpfb::{is_file, is_picture, key};
+use mhlint_formats::mhmat::{Keyword, Material, Statement};
 use mhlint_source::{normalized, parent};
 
 /// A material with what its lines set.
@@ -31,7 +31,7 @@ pub struct Look<'a> {
 #[derive(Debug, Clone)]
 pub struct Set<'a> {
     /// What it sets.
-    pub key: &'static Key,
+    pub key: &'static Keyword,
     /// The line.
     pub statement: &'a Statement,
     /// The value once another spelling of the keyword is corrected in all of the line.
@@ -99,7 +99,7 @@ fn look<'a>(
     };
     let is_last = |(at, set): &(usize, &Set<'a>)| {
         let mut behind = look.lines.iter().skip(at + 1);
-        let is_used = set.key.is_picture() && !set.value.is_empty();
+        let is_used = is_picture(set.key) && !set.value.is_empty();
         is_used && !behind.any(|other| other.key == set.key && !other.value.is_empty())
     };
     let used: Vec<&Set<'a>> = look
@@ -118,12 +118,11 @@ fn look<'a>(
 
 fn set(statement: &Statement) -> Option<Set<'_>> {
     let key = key(&statement.key.text).filter(|_| !statement.is_indented)?;
-    let value = match key.reads {
+    let value = if is_file(key) && *key.name != *statement.key.text {
         // The correction replaces the word wherever it stands in the line.
-        Reads::File if *key.name != *statement.key.text => {
-            statement.value.text.replace(&*statement.key.text, key.name)
-        }
-        _ => statement.value.text.to_string(),
+        statement.value.text.replace(&*statement.key.text, key.name)
+    } else {
+        statement.value.text.to_string()
     };
     Some(Set {
         key,

@@ -2,7 +2,6 @@
 //! catalogue of sliders and the macros with their targets, rigs and what is worn with their
 //! weights, and what is found by its name.
 
-mod keys;
 mod looks;
 pub mod loops;
 pub mod misplaced;
@@ -14,7 +13,6 @@ mod rigs;
 mod sliders;
 mod view;
 
-pub use keys::{Reads, is_key};
 pub use looks::{Look, Set};
 pub use named::{NamedTarget, uuid};
 pub use offered::lost_rigs;

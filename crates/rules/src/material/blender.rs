@@ -11,9 +11,10 @@ use super::something_else;
 use super::spelling::{self, Meant};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Suggestions, grouped};
 use mhlint_discover::{Kind, Single};
-use mhlint_formats::mhmat::{Unknown, Word};
+use mhlint_formats::mhmat::mpfb::{is_file, is_key};
+use mhlint_formats::mhmat::{Unknown, Value, Word};
 use mhlint_formats::python_float;
-use mhlint_repo::mpfb::{self, Look, Reads, Set, is_key};
+use mhlint_repo::mpfb::{self, Look, Set};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer};
 use mhlint_source::{first_name, parent};
 
@@ -64,7 +65,7 @@ pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let tags: Vec<_> = empty_tags(look).collect();
         out.extend(lines(TAG).told(&tags, "write the tag, or remove the line"));
         let parameter = of(
-            |set| set.key.reads == Reads::Parameter && set.value.split_whitespace().count() != 2,
+            |set| set.key.value == Value::Parameter && set.value.split_whitespace().count() != 2,
             |set| {
                 let words = set.value.split_whitespace().count();
                 format!("`shaderParam` has {words} words behind it, expected 2")
@@ -92,7 +93,7 @@ fn empty_tags<'l>(look: &'l Look<'_>) -> impl Iterator<Item = FaultyLine> + use<
 
 /// Of other texts nothing is missed.
 fn lacks_value(set: &Set<'_>) -> bool {
-    let is_needed = matches!(set.key.reads, Reads::File | Reads::Number);
+    let is_needed = is_file(set.key) || set.key.value == Value::Number;
     is_needed && set.value.is_empty() && !set.statement.ends_file
 }
 
@@ -104,11 +105,11 @@ pub(super) fn values(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             file: look.file,
             case,
         };
-        let of = |reads: Reads, is_wrong: fn(&str) -> bool, what: &str| -> Vec<FaultyLine> {
+        let of = |sort: Value, is_wrong: fn(&str) -> bool, what: &str| -> Vec<FaultyLine> {
             let own = look
                 .lines
                 .iter()
-                .filter(|set| set.key.reads == reads && !set.value.is_empty());
+                .filter(|set| set.key.value == sort && !set.value.is_empty());
             let own = own.filter(|set| is_wrong(&set.value));
             own.map(|set| {
                 let message = format!(
@@ -121,7 +122,7 @@ pub(super) fn values(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             .collect()
         };
         let numbers = of(
-            Reads::Number,
+            Value::Number,
             |value| python_float(value.as_bytes()).is_none(),
             "one number",
         );
@@ -130,7 +131,7 @@ pub(super) fn values(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             "write one number with a decimal point, and no comment behind it",
         ));
         let (broken, unread): (Vec<_>, Vec<_>) = of(
-            Reads::Colour,
+            Value::Colour,
             |value| colour(value) != Colour::Read,
             "a colour",
         )

@@ -4,65 +4,18 @@
 //! `docs/loaders/makehuman1/materials.md#faults-of-materials`).
 
 use mhlint_diag::Application;
-use mhlint_formats::mhmat::Line;
+use mhlint_formats::mhmat::{Line, keywords_of};
 use mhlint_formats::python_int;
 use mhlint_repo::{Surface, Wearer};
 
-/// The keywords that MakeHuman 2 reads.
-const READ: [&str; 28] = [
-    "alphaToCoverage",
-    "ambientColor",
-    "aomapIntensity",
-    "aomapTexture",
-    "backfaceCull",
-    "colorationColor",
-    "colorationMethod",
-    "description",
-    "diffuseColor",
-    "diffuseTexture",
-    "emissiveColor",
-    "emissiveFactor",
-    "emissiveTexture",
-    "glassColor",
-    "glassRoughness",
-    "ior",
-    "metallicFactor",
-    "metallicRoughnessTexture",
-    "name",
-    "normalmapIntensity",
-    "normalmapTexture",
-    "roughnessFactor",
-    "shader",
-    "shaderParam",
-    "specularColor",
-    "tag",
-    "transmission",
-    "transparent",
-];
-
-/// Those that MakeHuman 1 reads.
-#[rustfmt::skip]
-const READ_BY_1: [&str; 47] = [
-    "name", "tag", "description", "ambientColor", "diffuseColor", "specularColor", "emissiveColor",
-    "viewPortColor", "viewPortAlpha", "diffuseIntensity", "specularIntensity", "shininess",
-    "opacity", "translucency", "shadeless", "wireframe", "transparent", "depthless",
-    "autoBlendSkin", "sssEnabled", "alphaToCoverage", "backfaceCull", "castShadows",
-    "receiveShadows", "diffuseTexture", "bumpmapTexture", "normalmapTexture",
-    "displacementmapTexture", "specularmapTexture", "transparencymapTexture", "aomapTexture",
-    "bumpmapIntensity", "normalmapIntensity", "displacementmapIntensity", "specularmapIntensity",
-    "transparencymapIntensity", "aomapIntensity", "sssRScale", "sssGScale", "sssBScale", "shader",
-    "uvMap", "shaderParam", "shaderDefine", "shaderConfig", "author", "license",
-];
+/// All keywords that an application reads.
+pub(super) fn keywords(application: Application) -> impl Iterator<Item = &'static str> {
+    keywords_of(application).map(|keyword| keyword.name)
+}
 
 /// Whether an application reads the keyword.
 pub(super) fn reads(application: Application, keyword: &str) -> bool {
     keywords(application).any(|own| own == keyword)
-}
-
-/// All keywords that an application reads.
-pub(super) fn keywords(application: Application) -> impl Iterator<Item = &'static str> {
-    let own: &'static [&'static str] = if is_1(application) { &READ_BY_1 } else { &READ };
-    own.iter().copied()
 }
 
 /// Whether it is MakeHuman 1.

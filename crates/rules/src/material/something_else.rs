@@ -3,7 +3,8 @@
 
 use super::super::Rule;
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place};
-use mhlint_repo::mpfb::{Look, is_key};
+use mhlint_formats::mhmat::mpfb::is_key;
+use mhlint_repo::mpfb::Look;
 use mhlint_source::Guess;
 
 /// A file that is something else. What is no text has a finding of its own.

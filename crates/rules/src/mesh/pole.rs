@@ -1,12 +1,14 @@
 //! A vertex belongs to a few faces.
 
 use super::super::{Check, Rule, RuleCx};
-use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use mhlint_diag::{
+    Application::{self, Makehuman1},
+    Finding, Level, Place, RuleInfo,
+};
 use mhlint_formats::asset_mesh::AssetMesh;
 use mhlint_formats::mhclo::Entry;
-use mhlint_formats::mhclo::makehuman1::READER;
 use mhlint_formats::python_int;
-use mhlint_repo::{Body, Worn};
+use mhlint_repo::{Body, Worn, worn_reader};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
@@ -29,7 +31,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .worn
         .iter()
         .filter(|worn| body.layers.is_checked(worn.file));
-    out.extend(own.clone().filter_map(finding));
+    out.extend(
+        own.clone()
+            .filter_map(|worn| finding(body.application(), worn)),
+    );
     out.extend(own.filter_map(of_archive));
 }
 
@@ -66,8 +71,10 @@ fn most(mesh: &AssetMesh) -> Option<(u32, u32, &'static str)> {
     }))
 }
 
-fn finding(worn: &Worn<'_>) -> Option<Finding> {
-    let entry = READER.of(worn.clothes()?).last("max_pole");
+fn finding(application: Application, worn: &Worn<'_>) -> Option<Finding> {
+    let entry = worn_reader(application)
+        .of(worn.clothes()?)
+        .last("max_pole");
     let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
     let (vertex, most, what) = most(mesh)?;
     // A word that is no number has a finding of its own.

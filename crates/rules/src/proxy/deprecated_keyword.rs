@@ -6,7 +6,7 @@ use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
-use mhlint_formats::mhclo::{Entry, FaultKind, makehuman1};
+use mhlint_formats::mhclo::{Entry, FaultKind};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -31,16 +31,8 @@ const PASSED_OVER: Case = &[(
 
 /// The first line with a keyword of old.
 fn passed_over(text: &Text<'_, '_>) -> Option<Finding> {
-    let is_old = |entry: &&Entry| {
-        !entry.is_comment && !entry.has_colon && makehuman1::OLD.contains(&&*entry.keyword)
-    };
-    let found: Vec<&Entry> = text
-        .clothes
-        .entries
-        .iter()
-        .filter(is_old)
-        .filter(|_| text.is_makehuman1())
-        .collect();
+    let is_old = |entry: &&Entry| !entry.is_comment && text.reading.passes_over(entry);
+    let found: Vec<&Entry> = text.clothes.entries.iter().filter(is_old).collect();
     let first = found.first()?;
     let message = format!(
         "`{}` is a keyword that is no longer used{}",

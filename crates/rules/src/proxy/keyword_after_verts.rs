@@ -1,12 +1,13 @@
 //! Below the vertex rows only some lines are found.
 
 use super::super::{Check, Rule, RuleCx, such};
+use super::keywords::known_to_makehuman1;
 use super::{Text, blender, sections, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
-use mhlint_formats::mhclo::{Entry, Section, makehuman1};
+use mhlint_formats::mhclo::{Entry, Section};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -61,7 +62,7 @@ fn unknown(text: &Text<'_, '_>) -> Option<Finding> {
     }
     let list = sections::misspelt_list(text).map(|entry| entry.line);
     let is_unknown = |entry: &&Entry| {
-        let is_known = makehuman1::knows(&entry.keyword) && !entry.has_colon
+        let is_known = known_to_makehuman1(&entry.keyword) && !entry.has_colon
             || super::keywords::is_licence(entry);
         entry.section == Section::Vertices
             && !entry.is_comment

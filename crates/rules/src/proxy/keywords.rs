@@ -1,6 +1,7 @@
 //! The keywords of assets, and which one a misspelt one is meant to be.
 
 use mhlint_diag::{Application, begins_word, glued, is_like_path, nearest};
+pub(super) use mhlint_formats::mhclo::makehuman1::knows as known_to_makehuman1;
 use mhlint_formats::mhclo::makehuman2::KEYWORDS as READ;
 use mhlint_formats::mhclo::{Entry, Section, makehuman1};
 use mhlint_formats::python_float;

@@ -6,7 +6,7 @@ use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
-use mhlint_formats::mhclo::{Fault, FaultKind, makehuman1};
+use mhlint_formats::mhclo::{Fault, FaultKind};
 use mhlint_formats::{python_float, python_int};
 use mhlint_repo::Body;
 
@@ -154,15 +154,12 @@ fn whole_numbers(text: &Text<'_, '_>) -> Option<Finding> {
     Some(told(text, first, message, VALUE, "write a whole number").key(&*entry.keyword))
 }
 
-/// MakeHuman 1 reads the word behind these keywords, whether there is one or not.
+/// Where the word behind a keyword is read, whether there is one or not.
 fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, _) = text
-        .reading
-        .faults(|kind| kind == FaultKind::MissingValue)
-        .filter(|_| text.is_makehuman1())?;
+    let reading = text.reading;
+    let (faults, _) = reading.faults(|kind| kind == FaultKind::MissingValue)?;
     // A missing mesh has a finding of its own.
-    let of_own =
-        |fault: &&&Fault| makehuman1::needs_value(&fault.word) && &*fault.word != "obj_file";
+    let of_own = |fault: &&&Fault| reading.needs_value(&fault.word) && &*fault.word != "obj_file";
     let first = faults.iter().find(of_own)?;
     let message = format!("`{}` has no value", first.word);
     Some(

@@ -16,6 +16,8 @@ type Word<'l> = (usize, &'l [u8]);
 pub static READER: Reader = Reader {
     knows: |entry| !entry.has_colon,
     is_fault: |_, _| true,
+    passes_over: &[],
+    needs_value: |keyword| VALUED.contains(&keyword),
     stop: |clothes| clothes.flow.stop.as_ref().map(Stop::stopped),
 };
 
