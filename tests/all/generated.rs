@@ -244,8 +244,10 @@ pub(crate) fn check(file: &str, name: &str, wanted: &str) {
 #[track_caller]
 fn may_write(what: &str) {
     let may = std::env::var_os("UPDATE").is_some();
+    let thread = std::thread::current();
+    let test = thread.name().unwrap_or("generated::").to_owned();
     assert!(
         may,
-        "{what} is not fresh: UPDATE=1 cargo test generated:: -- --test-threads 1"
+        "{what} is not fresh: UPDATE=1 cargo test --test all {test} -- --test-threads 1"
     );
 }

@@ -346,7 +346,10 @@ fn every_help_has_a_row() {
     let open = missing
         .into_iter()
         .filter(|([rule, shape], _)| !known.contains(&[rule.clone(), shape.clone()]));
-    faults.extend(open.map(|(_, title)| format!("no row: {title}")));
+    faults.extend(open.map(|(_, title)| {
+        let family = title.split('-').next().unwrap_or_default().to_owned();
+        format!("no row in fixtures/help/{family}.toml (fixtures/README.md): {title}")
+    }));
     assert!(
         faults.is_empty(),
         "\n{}\n{} faults",

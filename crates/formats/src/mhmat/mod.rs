@@ -62,7 +62,7 @@ pub struct Line {
     pub keyword: &'static Keyword,
     /// Its number, from 1.
     pub number: u32,
-    /// The first few words behind the keyword.
+    /// The first five words behind the keyword.
     pub words: Vec<Word>,
     /// How many words there are behind the keyword.
     pub count: usize,

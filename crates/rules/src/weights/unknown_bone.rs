@@ -1,4 +1,7 @@
-//! Weights must be for bones of the skeleton.
+//! Weights must be for bones of the skeleton
+//! (`docs/loaders/makehuman2/weights.md#faults-of-weights`,
+//! `docs/loaders/makehuman1/weights.md#faults-of-weights`,
+//! `docs/loaders/mpfb/weights.md#faults-of-weights`).
 
 use std::collections::BTreeSet;
 

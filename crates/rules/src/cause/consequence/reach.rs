@@ -141,6 +141,36 @@ fn every_row_of_mpfb_has_its_place() {
     }
 }
 
+/// What stops MPFB in its catalogue, where no row says anything else.
+const STOPS_MPFB: [&str; 9] = [
+    "/type",
+    "/$defs/section/",
+    "/$defs/category/type",
+    "/$defs/category/required",
+    "/$defs/category/properties/name/",
+    "/$defs/category/properties/label/",
+    "/$defs/category/if/",
+    "/$defs/sided/",
+    "/$defs/unsided/",
+];
+
+#[test]
+fn every_place_of_the_catalogue_of_mpfb_says_what_it_comes_to() {
+    let schema = schema(Kind::TargetCatalog);
+    let rows = mpfb::CATALOG.iter().map(|(beginning, _)| *beginning);
+    let known: Vec<&str> = rows.chain(STOPS_MPFB).collect();
+    let is_new = |place: &&String| !known.iter().any(|beginning| place.starts_with(beginning));
+    let new: Vec<String> = places(&schema)
+        .into_iter()
+        .map(|(place, _)| place)
+        .collect();
+    let new: Vec<&String> = new.iter().filter(is_new).collect();
+    assert!(
+        new.is_empty(),
+        "a row in `CATALOG` or in `STOPS_MPFB`: {new:?}"
+    );
+}
+
 #[test]
 fn every_key_stands_in_its_schema() {
     for row in &makehuman2_keys::ROWS {
