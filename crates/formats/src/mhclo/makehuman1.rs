@@ -109,10 +109,84 @@ fn stop(clothes: &Clothes, fault: &Fault) -> Option<(&'static str, String)> {
         return None;
     }
     match fault.kind {
-        FaultKind::DroppedRow => Some(("ValueError", "a word is not a number".to_owned())),
+        // A whole number that is left is negative.
+        FaultKind::DroppedRow => Some(match python_int(fault.word.as_bytes()) {
+            Some(_) => (
+                "OverflowError",
+                format!("no vertex has the number {}", fault.word),
+            ),
+            None => ("ValueError", "a word is not a number".to_owned()),
+        }),
         FaultKind::MissingValue if needs_value(&fault.word) => {
             Some(("IndexError", format!("`{}` has no value", fault.word)))
         }
         kind => makehuman2::stop(kind),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mhclo::{Entry, Stopped, parse};
+
+    fn stop(text: &str) -> [Option<(u32, &'static str)>; 2] {
+        let clothes = parse(text.as_bytes(), None);
+        let place = |stopped: Stopped| (stopped.line, stopped.exception);
+        [&READER, &makehuman2::READER].map(|reader| reader.of(&clothes).stop().map(place))
+    }
+
+    #[test]
+    fn it_stops_where_its_successor_does_not_and_the_other_way_round() {
+        for (text, own, of_makehuman2) in [
+            (
+                "verts 0\n1 2 3 1 0 x\n",
+                Some((2, "ValueError")),
+                Some((2, "ValueError")),
+            ),
+            (
+                "verts 0\n1 2 3 1\n",
+                Some((2, "IndexError")),
+                Some((2, "IndexError")),
+            ),
+            ("verts 0\n-5\n", Some((2, "OverflowError")), None),
+            ("verts 0\n6.0\n", Some((2, "ValueError")), None),
+            ("verts 0\n+5\n", None, None),
+            ("obj_file\nverts 0\n5\n", Some((1, "IndexError")), None),
+            ("z_depth: x\nverts 0\n5\n", None, Some((1, "ValueError"))),
+            (
+                "verts 0\n5\ndelete_verts\n1\nname x\n",
+                None,
+                Some((5, "ValueError")),
+            ),
+            (
+                "verts 0\n5\nweights a\n1 x\n",
+                None,
+                Some((3, "ValueError")),
+            ),
+        ] {
+            assert_eq!(stop(text), [own, of_makehuman2], "{text}");
+        }
+    }
+
+    #[test]
+    fn a_keyword_with_a_colon_is_another_word() {
+        let clothes = parse(
+            b"name a\nname: b\nsubsurf 1\nsubsurf: 2\nverts: 0\n5\n",
+            None,
+        );
+        let (own, of_makehuman2) = (READER.of(&clothes), makehuman2::READER.of(&clothes));
+        assert_eq!(own.last("name").map(Entry::word), Some("a"));
+        assert_eq!(of_makehuman2.last("name").map(Entry::word), Some("b"));
+        assert_eq!(
+            (own.opens_rows(), of_makehuman2.opens_rows()),
+            (false, true)
+        );
+        let passed = |reader: &'static Reader| {
+            let lines = clothes.entries.iter();
+            lines
+                .filter(|entry| reader.of(&clothes).passes_over(entry))
+                .count()
+        };
+        assert_eq!((passed(&READER), passed(&makehuman2::READER)), (1, 0));
     }
 }
