@@ -85,7 +85,7 @@ pub(crate) fn doubles(findings: &[Finding]) -> Vec<Double> {
     several.collect()
 }
 
-/// Those that the table does not list, and rows of the table that nothing shows, in words.
+/// Those that the table does not list, in words.
 pub(crate) fn unlisted(doubles: &[Double]) -> Vec<String> {
     let known: BTreeSet<[&str; 2]> = PAIRS.iter().map(|(one, other, _)| [*one, *other]).collect();
     let strange = doubles.iter().filter(|(pair, _)| !known.contains(pair));

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::Section;
+use super::{Section, makehuman2};
 
 /// A line that begins with a keyword.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -61,27 +61,14 @@ pub struct Scanned {
     is_over: bool,
 }
 
-/// The keywords of which each application reads some. Lines of others are kept as long as they are
-/// few.
-const KNOWN: [&str; 17] = [
-    "name",
-    "uuid",
-    "description",
-    "author",
-    "license",
-    "homepage",
-    "tag",
-    "obj_file",
-    "material",
-    "vertexboneweights_file",
-    "version",
-    "basemesh",
-    "z_depth",
-    "x_scale",
-    "y_scale",
-    "z_scale",
-    "max_pole",
-];
+/// The keywords of lines of which the last is always kept; those that open a section are not.
+/// Lines of others are kept as long as they are few.
+fn known(keyword: &str) -> Option<&'static str> {
+    let opens = |known: &&str| matches!(*known, "verts" | "delete_verts" | "weights");
+    let of_makehuman2 = makehuman2::KEYWORDS.into_iter().filter(|own| !opens(own));
+    let mut all = of_makehuman2.chain(["basemesh", "max_pole"]);
+    all.find(|known| *known == keyword)
+}
 
 /// What comments say of an asset.
 const REMARKS: [&str; 6] = [
@@ -149,9 +136,7 @@ impl Header {
 
     fn add(&mut self, entry: Option<Entry>) {
         let Some(entry) = entry else { return };
-        let known = KNOWN
-            .into_iter()
-            .find(|known| **known == *entry.keyword && !entry.is_comment);
+        let known = known(&entry.keyword).filter(|_| !entry.is_comment);
         let earlier = known.and_then(|known| self.last.get(known).copied());
         if self.entries.len() >= KEPT {
             match earlier.and_then(|at| self.entries.get_mut(at)) {

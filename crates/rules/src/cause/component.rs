@@ -16,14 +16,15 @@ pub(crate) fn is_sound_component(file: &FileFacts, component: &Component) -> boo
 /// A combination counts only above this weight (`docs/loaders/makehuman2/macros.md#evaluation`).
 pub(crate) const SMALLEST_WEIGHT: f64 = 0.01;
 
-/// How many combinations of a macro definition are active at once between its steps, each with the
-/// same weight; nothing if a component is unknown.
-pub(crate) fn active_at_once(macros: &MacroFile, macrodef: &Macrodef) -> Option<f64> {
+/// How many combinations of a macro definition are active at once between its steps, where these
+/// are so many that none of them counts; nothing if a component is unknown.
+pub(crate) fn too_many_at_once(macros: &MacroFile, macrodef: &Macrodef) -> Option<f64> {
     let component = |name: &String| macros.components.iter().find(|own| own.name == *name);
     let names = macrodef.components.iter();
-    names
+    let active: Option<f64> = names
         .map(|name| component(name).map(active_values))
-        .product()
+        .product();
+    active.filter(|active| 1.0 / active <= SMALLEST_WEIGHT)
 }
 
 /// How many values of a component are active at once where most are: two between steps, three in a

@@ -1,6 +1,6 @@
 //! So many components blend at once that no combination is strong enough.
 
-use super::super::cause::component::{SMALLEST_WEIGHT, active_at_once};
+use super::super::cause::component::{SMALLEST_WEIGHT, too_many_at_once};
 use super::super::{Check, Rule, RuleCx};
 use super::space::Space;
 use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
@@ -26,11 +26,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     for macrodef in &macros.macrodefs {
         let active =
-            active_at_once(macros, macrodef).filter(|_| Space::of(macros, macrodef).is_some());
+            too_many_at_once(macros, macrodef).filter(|_| Space::of(macros, macrodef).is_some());
         let Some(active) = active else { continue };
-        if 1.0 / active > SMALLEST_WEIGHT {
-            continue;
-        }
         let count = macrodef.components.len();
         let message = format!(
             "{count} components make {active} combinations active at once, each with the weight \

@@ -1,6 +1,6 @@
 //! What the cut-off of small factors throws away.
 
-use super::super::cause::component::{SMALLEST_WEIGHT, active_at_once};
+use super::super::cause::component::too_many_at_once;
 use super::super::{Check, Rule, RuleCx};
 use super::{percent, title, to_see};
 use mhlint_diag::{
@@ -42,11 +42,8 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
     let limit = cx.option(&RULE, "percent") / 100.0;
     // Where all combinations are too weak, `macro-too-many-active` says so.
     let is_told = |number: usize| {
-        let active = macros
-            .macrodefs
-            .get(number)
-            .and_then(|macrodef| active_at_once(macros, macrodef));
-        active.is_some_and(|active| 1.0 / active <= SMALLEST_WEIGHT)
+        let macrodef = macros.macrodefs.get(number);
+        macrodef.is_some_and(|macrodef| too_many_at_once(macros, macrodef).is_some())
     };
     let over = || {
         measures

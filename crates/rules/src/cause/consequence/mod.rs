@@ -10,7 +10,6 @@ mod makehuman2;
 mod makehuman2_keys;
 mod makehuman2_values;
 mod mpfb;
-#[cfg(test)]
 mod reach;
 mod table;
 mod unread;
@@ -175,7 +174,8 @@ pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<
     if is_empty_target && view.layers().checked.file(rel).is_some_and(is_identity) {
         return None;
     }
-    if let Some(own) = of_marked_word(view, rel).filter(|_| damage == Damage::MarkedWord) {
+    let marked = (damage == Damage::MarkedWord).then(|| of_marked_word(view, rel));
+    if let Some(own) = marked.flatten() {
         return Some(own);
     }
     if is_list_without_archive(view, rel) {

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::super::scale_vertices::MEASURE;
 use super::super::{AXES, Text, USUAL_SHARE, apart, texts};
 use super::at;
 use crate::Rule;
@@ -131,22 +132,21 @@ fn fault(
             .key(*name)
             .case(case)
     };
-    let distance = "write the distance that the two vertices have along the axis";
     match scale.distance.partial_cmp(&0.0) {
         None => {
             return Some(
-                told(format!("the distance of `{name}` is not a number"), NOWHERE).help(distance),
+                told(format!("the distance of `{name}` is not a number"), NOWHERE).help(MEASURE),
             );
         }
         Some(Ordering::Equal) => {
-            return Some(told(format!("the distance of `{name}` is 0"), ZERO).help(distance));
+            return Some(told(format!("the distance of `{name}` is 0"), ZERO).help(MEASURE));
         }
         Some(Ordering::Less) => {
             let message = format!(
                 "the distance of `{name}` is {}, which is negative",
                 scale.distance
             );
-            return Some(told(message, MIRRORED).help(distance));
+            return Some(told(message, MIRRORED).help(MEASURE));
         }
         Some(Ordering::Greater) => {}
     }
@@ -185,6 +185,6 @@ fn fault(
     (!is_usual).then(|| {
         rule.at(text.file, at(scale.line), message)
             .key(*name)
-            .help(distance)
+            .help(MEASURE)
     })
 }
