@@ -23,6 +23,7 @@ pub(crate) mod unread;
 pub(crate) mod unused;
 
 use super::Rule;
+use mhlint_repo::makehuman1::{KnownModifier, View};
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
@@ -53,3 +54,22 @@ pub(super) static RULES: &[&Rule] = &[
 const LOST_TABS: &str = "shows neither the rest of its tab nor the tabs behind it in the file";
 /// What one bad modifier costs.
 const LOST_FILE: &str = "loads no further modifiers of the file and shows none of its tabs";
+
+/// Whether it can be known which targets there are: in an archive nobody looks, and none is found
+/// where the names of folders stop the search.
+fn knows_targets(view: &View<'_>) -> bool {
+    !view.targets.is_packed && view.targets.clashes.is_empty()
+}
+
+/// Whether no file makes any target of a modifier. That is a finding of its own
+/// (`modifiers-no-target`): what else a name lacks that nothing stands for is not said beside it.
+fn moves_nothing(view: &View<'_>, one: &KnownModifier<'_>) -> bool {
+    let mut parts = one.parts.iter();
+    knows_targets(view) && !is_hidden(view, one) && parts.all(|part| part.targets.is_empty())
+}
+
+/// Whether an archive hides a target of a modifier, which has a finding of its own.
+fn is_hidden(view: &View<'_>, one: &KnownModifier<'_>) -> bool {
+    let mut parts = one.parts.iter();
+    parts.any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
+}

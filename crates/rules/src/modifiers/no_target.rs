@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::{Meant, meant_groups};
 use super::spellings::{Spellings, Starts, categories, help};
-use super::{LOST_FILE, LOST_TABS};
+use super::{LOST_FILE, LOST_TABS, is_hidden, knows_targets};
 use mhlint_diag::{
     Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped,
 };
@@ -29,10 +29,7 @@ const LOST: Case = &[(Makehuman1, Level::Error, LOST_TABS)];
 const STOPPED: Case = &[(Makehuman1, Level::Error, LOST_FILE)];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // In an archive nobody looks, and no target is found where the names of folders stop the
-    // search.
-    let is_unknown = view.targets.is_packed || !view.targets.clashes.is_empty();
-    if !view.layers.checks_system() || is_unknown {
+    if !view.layers.checks_system() || !knows_targets(view) {
         return;
     }
     let meant = Meant::of(view, cx);
@@ -50,19 +47,13 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .or_insert_with(|| Starts::of(view, words));
         out.extend(group_finding(starts, all, cx));
     }
-    // What an archive hides has a finding of its own.
-    let is_hidden = |one: &KnownModifier<'_>| {
-        one.parts
-            .iter()
-            .any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
-    };
     let (spellings, present) = (Spellings::of(view), categories(view));
     let others = view
         .modifiers
         .all
         .iter()
         .filter(|one| bare.get(one.modifier.group.as_str()).is_none());
-    for one in others.filter(|one| !is_hidden(one)) {
+    for one in others.filter(|one| !is_hidden(view, one)) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(&present, one, &variable.name)),
             None if one.modifier.tails.unpaired().is_none() => {

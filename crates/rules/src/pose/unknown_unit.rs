@@ -75,7 +75,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn unknown<'v>(body: &Body<'_>, pose: &BodyPose<'v>) -> Option<Vec<&'v str>> {
     let (_, known) = body.unit_names(pose)?;
     let is_known = |unit: &str| known.contains((pose.renewed)(unit).unwrap_or(unit));
-    let units = pose.pose.values.iter().map(|one| &*one.unit);
+    // A bracket that stands elsewhere has a finding of its own (`json-schema`).
+    let units = pose.pose.values.iter().filter(|one| !one.is_nested);
+    let units = units.map(|one| &*one.unit);
     let unknown: Vec<&str> = units.filter(|unit| !is_known(unit)).collect();
     (!unknown.is_empty()).then_some(unknown)
 }

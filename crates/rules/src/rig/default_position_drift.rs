@@ -84,29 +84,25 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
 }
 
 fn known<'r>(bones: &[Placed<'r>]) -> Vec<Known<'r>> {
-    let of_bone = |placed: &Placed<'r>| {
+    let ends = bones.iter().flat_map(|placed| {
         let bone = placed.bone;
-        let ends = [
-            ("head", &bone.head, placed.head),
-            ("tail", &bone.tail, placed.tail),
-        ];
-        let known =
-            ends.map(
-                |(which, end, located)| match (end.as_ref()?.default_position, located) {
-                    (DefaultPosition::At(written), Located::Found(found))
-                        if written.iter().all(|one| one.is_finite()) =>
-                    {
-                        Some(Known {
-                            bone: &bone.name,
-                            which,
-                            found,
-                            written,
-                        })
-                    }
-                    _ => None,
-                },
-            );
-        known.into_iter().flatten()
-    };
-    bones.iter().flat_map(of_bone).collect()
+        [
+            (bone, "head", &bone.head, placed.head),
+            (bone, "tail", &bone.tail, placed.tail),
+        ]
+    });
+    let known = ends.filter_map(|(bone, which, end, located)| {
+        let end = end.as_ref()?;
+        let (DefaultPosition::At(written), Located::Found(found)) = (end.default_position, located)
+        else {
+            return None;
+        };
+        written.iter().all(|one| one.is_finite()).then_some(Known {
+            bone: &bone.name,
+            which,
+            found,
+            written,
+        })
+    });
+    known.collect()
 }

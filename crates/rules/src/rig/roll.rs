@@ -1,5 +1,7 @@
 //! The roll of a bone is an angle in radians, or the bone has the direction that it is aligned to.
 
+use std::f64::consts::TAU;
+
 use super::super::units::short;
 use super::super::{Check, Rule, RuleCx, such};
 use super::at_bones;
@@ -34,23 +36,16 @@ const REFERENCE: &str = "ALIGN_Z_REFERENCE_Z";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
-        let is_turned = |bone: &&RigBone| bone.roll.abs() > std::f64::consts::TAU;
-        out.extend(finding(
-            file,
-            rig,
-            rig.bones.iter().filter(is_turned).collect(),
-            "roll",
-            |bone| {
-                (
-                    format!(
-                        "roll {} of bone `{}` is more than a whole turn in radians",
-                        short(bone.roll),
-                        bone.name
-                    ),
-                    None,
-                )
-            },
-        ));
+        out.extend(finding(file, rig, in_degrees(rig), "roll", |bone| {
+            (
+                format!(
+                    "roll {} of bone `{}` is more than a whole turn in radians",
+                    short(bone.roll),
+                    bone.name
+                ),
+                None,
+            )
+        }));
         out.extend(finding(
             file,
             rig,
@@ -83,6 +78,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             },
         ));
     }
+}
+
+/// Bones turned by more than a whole turn, if one of them is by more than two: Blender wraps no
+/// angle, so that a bone turned by hand may have a little more than one.
+fn in_degrees(rig: &Rig) -> Vec<&RigBone> {
+    let beyond = |limit: f64| rig.bones.iter().filter(move |bone| bone.roll.abs() > limit);
+    if beyond(2.0 * TAU).next().is_none() {
+        return Vec::new();
+    }
+    beyond(TAU).collect()
 }
 
 fn finding(

@@ -1,10 +1,10 @@
 //! The vertices at which bones end exist.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::ends::{AT_DEFAULT, ends, has_place};
+use super::ends::{AT_DEFAULT, ends, has_place, listed};
 use super::{STOPS, at_bones, stops};
 use mhlint_diag::{Application::Mpfb, Case, Finding, Grouped, Level, RuleInfo, grouped};
-use mhlint_formats::rig::{End, Rig, RigBone, Strategy};
+use mhlint_formats::rig::{End, Rig, RigBone};
 use mhlint_repo::Worn;
 use mhlint_repo::mpfb::{RigFile, RigPart, View};
 use mhlint_source::parent;
@@ -65,15 +65,6 @@ fn vertices(view: &View<'_>, assets: &Assets<'_>, file: &RigFile<'_>) -> Option<
     }
     let own = assets.get(&(parent(&file.file.rel), file.file.stem()))?;
     Some(own.first()?.mesh()?.1.facts.vertices)
-}
-
-fn listed(end: &End) -> impl Iterator<Item = i64> {
-    let (one, many) = match &end.strategy {
-        Strategy::Vertex(vertex) => (Some(*vertex), [].as_slice()),
-        Strategy::Mean(vertices) | Strategy::Xyz(vertices) => (None, vertices.as_slice()),
-        _ => (None, [].as_slice()),
-    };
-    one.into_iter().chain(many.iter().copied())
 }
 
 fn is_beyond(end: &End, count: i64) -> bool {

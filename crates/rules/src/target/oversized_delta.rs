@@ -70,7 +70,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut told: BTreeSet<&str> = BTreeSet::new();
     for (_, file, facts) in targets(body) {
         // A vertex that does not exist has a finding of its own.
-        let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
+        let all_exist = facts.out_of_range.count == 0 && facts.negative.count == 0;
+        let exists = |largest: &Largest| all_exist || is_vertex(body, largest);
         let Some(largest) = facts.largest.filter(exists) else {
             continue;
         };
