@@ -20,6 +20,8 @@ pub struct TargetMeasure {
     /// The vertex of the visible body that differs most from its mirror image, if any does, with
     /// the difference.
     pub worst_of_body: Option<(u32, f64)>,
+    /// Whether all that differs from its mirror image belongs to joint cubes.
+    pub differs_in_cubes: bool,
     /// Longest displacement.
     pub longest: f64,
     /// Moved vertices that belong to the visible body.
@@ -74,10 +76,15 @@ impl Parts {
                 .difference(self.of_body(rows), self.of_body(rows), tolerance)
                 .worst
         };
+        let differs_in_cubes = own_mirror
+            .different
+            .iter()
+            .all(|vertex| self.cube(*vertex).is_some());
         let worst_of_body = if differs_on_body { of_body() } else { None };
         let mut measure = TargetMeasure {
             own_mirror,
             worst_of_body,
+            differs_in_cubes,
             ..TargetMeasure::default()
         };
         let mut touched: Vec<(u32, u32, Point)> = Vec::new();
@@ -89,7 +96,7 @@ impl Parts {
             let at = *vertex as usize;
             if self.body.get(at).is_some_and(|body| *body) {
                 measure.body += 1;
-            } else if let Some(cube) = self.cube_of.get(at).copied().flatten() {
+            } else if let Some(cube) = self.cube(*vertex) {
                 measure.joints += 1;
                 touched.push((cube, *vertex, *delta));
             } else {
@@ -128,6 +135,10 @@ impl Parts {
 
     fn is_body(&self, vertex: u32) -> bool {
         self.body.get(vertex as usize).is_some_and(|body| *body)
+    }
+
+    fn cube(&self, vertex: u32) -> Option<u32> {
+        self.cube_of.get(vertex as usize).copied().flatten()
     }
 
     /// The cube and its largest inner difference, unless all its vertices move alike.
@@ -217,6 +228,7 @@ mod tests {
             (found.body, found.joints, found.torn.as_slice()),
             (1, 1, [(0, 0.5)].as_slice())
         );
+        assert!(!found.differs_in_cubes);
     }
 
     #[test]

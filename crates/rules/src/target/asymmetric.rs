@@ -55,7 +55,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         checked += 1;
         let mirror = &target.own_mirror;
         let different = mirror.different.len();
-        if different == 0 || is_told_by_cubes(target) {
+        if different == 0 || is_told_by_cubes(body, target) {
             continue;
         }
         if different as f64 > share * mirror.compared as f64 {
@@ -74,11 +74,12 @@ fn is_meant(endings: &[String], name: &str) -> bool {
         || name.split(['/', '-', '_']).any(side::is_word)
 }
 
-/// Whether the vertices that differ can be those of torn joint cubes: `target-splits-joint-cube`
-/// names the target.
-fn is_told_by_cubes(target: &TargetMeasure) -> bool {
+/// Whether all that differs are corners of joint cubes, no more than the torn ones have:
+/// `target-splits-joint-cube` names the target, but for MPFB, whose targets keep no cube whole.
+fn is_told_by_cubes(body: &Body<'_>, target: &TargetMeasure) -> bool {
     const CORNERS: usize = 8;
-    target.own_mirror.different.len() <= CORNERS * target.torn.len()
+    let different = target.own_mirror.different.len();
+    !body.is_mpfb() && target.differs_in_cubes && different <= CORNERS * target.torn.len()
 }
 
 const MIRROR: &str = "leave it if that is intended; otherwise make it symmetric";
