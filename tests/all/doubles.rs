@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use mhlint::Finding;
 
 /// Rules of which both may speak at one place, and why both are wanted.
-const PAIRS: [(&str, &str, &str); 11] = [
+const PAIRS: [(&str, &str, &str); 13] = [
     (
         "file-backslash-path",
         "file-case-mismatch",
@@ -28,6 +28,11 @@ const PAIRS: [(&str, &str, &str); 11] = [
     ),
     (
         "json-schema",
+        "pose-unknown-unit",
+        "a wrong value of a wrong name: neither follows from the other",
+    ),
+    (
+        "json-schema",
         "parts-coverage",
         "a truth is read as 1, which the schema calls an info; as 1 it may leave a gap",
     ),
@@ -45,6 +50,11 @@ const PAIRS: [(&str, &str, &str); 11] = [
         "rig-default-position-drift",
         "rig-zero-length-bone",
         "a stored place and a length: neither follows from the other",
+    ),
+    (
+        "rig-vertex-out-of-range",
+        "rig-zero-length-bone",
+        "a vertex counted from the end is a warning, a bone without length an error that it may hide",
     ),
     (
         "skeleton-name-asymmetry",

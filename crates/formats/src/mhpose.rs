@@ -26,8 +26,8 @@ pub struct UnitValue {
     pub unit: String,
     /// How far it is turned; `None` for what is no number.
     pub value: Option<f64>,
-    /// Whether it is an object or an array: a bracket that stands elsewhere, and no unit at all.
-    pub is_nested: bool,
+    /// Whether it is an object: a bracket that stands elsewhere, and no unit at all.
+    pub is_object: bool,
 }
 
 /// Takes what the loader would take.
@@ -52,7 +52,7 @@ pub fn read(document: &Document) -> Pose {
             .map(|one| UnitValue {
                 unit: one.key.clone(),
                 value: one.node.as_python_number(),
-                is_nested: one.node.is_object() || one.node.is_array(),
+                is_object: one.node.is_object(),
             })
             .collect(),
     }
@@ -87,8 +87,8 @@ mod tests {
             (Some("bow"), &["a".to_owned()][..])
         );
         let nested = of(r#"{"unit_poses": {"a": {}, "b": [1], "c": "1"}}"#).values;
-        let is_nested: Vec<bool> = nested.iter().map(|one| one.is_nested).collect();
-        assert_eq!(is_nested, [true, true, false]);
+        let is_object: Vec<bool> = nested.iter().map(|one| one.is_object).collect();
+        assert_eq!(is_object, [true, false, false]);
         assert!(pose.has_units && of(r#"{"unit_poses": []}"#).has_units && !of("[1]").has_units);
     }
 

@@ -49,7 +49,7 @@ pub struct TargetFacts {
     pub zero: Tally,
     /// Rows that move something and are not replaced by a later row of their vertex.
     pub moving: usize,
-    /// Largest displacement: length in decimetres, line, index.
+    /// Largest displacement of a vertex that exists: length in decimetres, line, index.
     pub largest: Option<Largest>,
     /// Median length of the displacements that move something, in decimetres.
     pub median_length: f32,

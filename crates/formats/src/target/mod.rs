@@ -145,6 +145,7 @@ fn parse_by(
         target: Target::default(),
         mesh,
         lengths: Vec::new(),
+        longest: 0.0,
         zeros: Vec::new(),
         line_offsets: Vec::new(),
     };
@@ -172,6 +173,8 @@ struct Parser {
     target: Target,
     mesh: Option<MeshSize>,
     lengths: Vec<f32>,
+    /// The longest of them, also of a vertex that does not exist.
+    longest: f32,
     /// Line and index of the rows that move nothing.
     zeros: Vec<(u32, i64)>,
     /// Line minus position of the row, wherever it changes: position and difference.
@@ -316,7 +319,11 @@ impl Parser {
         let length = length_of(delta);
         facts.moving += 1;
         self.lengths.push(length);
-        if facts.largest.is_none_or(|largest| length > largest.length) {
+        self.longest = self.longest.max(length);
+        // A vertex that does not exist goes nowhere.
+        let exists = u64::try_from(index)
+            .is_ok_and(|at| self.mesh.is_none_or(|mesh| at < mesh.with_seams as u64));
+        if exists && facts.largest.is_none_or(|largest| length > largest.length) {
             facts.largest = Some(Largest {
                 length,
                 line,
@@ -338,10 +345,7 @@ impl Parser {
     /// displacement fits.
     fn beyond_sixteen_bits(&self) -> Option<(u32, i64, f32)> {
         let facts = &self.target.facts;
-        let fits = facts
-            .largest
-            .is_none_or(|largest| largest.length < PACKED_PART);
-        if fits
+        if self.longest < PACKED_PART
             && facts
                 .max_index
                 .is_none_or(|most| most <= i64::from(u16::MAX))

@@ -62,7 +62,7 @@ fn knows_targets(view: &View<'_>) -> bool {
 }
 
 /// Whether no file makes any target of a modifier. That is a finding of its own
-/// (`modifiers-no-target`): what else a name lacks that nothing stands for is not said beside it.
+/// (`modifiers-no-target`), and the name is what is wrong: that no other file has it follows.
 fn moves_nothing(view: &View<'_>, one: &KnownModifier<'_>) -> bool {
     let mut parts = one.parts.iter();
     knows_targets(view) && !is_hidden(view, one) && parts.all(|part| part.targets.is_empty())
@@ -72,4 +72,10 @@ fn moves_nothing(view: &View<'_>, one: &KnownModifier<'_>) -> bool {
 fn is_hidden(view: &View<'_>, one: &KnownModifier<'_>) -> bool {
     let mut parts = one.parts.iter();
     parts.any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
+}
+
+/// Whether an earlier modifier has the name, which is a finding of its own (`modifiers-duplicate`).
+fn is_copy(view: &View<'_>, one: &KnownModifier<'_>) -> bool {
+    let mut called = view.modifiers.called(&one.name);
+    called.next().is_some_and(|first| !std::ptr::eq(first, one))
 }

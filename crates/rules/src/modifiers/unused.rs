@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::meant::{Meant, exchanged};
-use super::moves_nothing;
+use super::{is_copy, moves_nothing};
 use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::makehuman1::{KnownModifier, View};
 
@@ -50,11 +50,8 @@ fn undescribed(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let told_there: BTreeSet<&str> = unknown
         .filter_map(|name| Some(meant.modifier(name, cx)?.name.as_str()))
         .collect();
-    // A name that exists twice is told itself (`modifiers-duplicate`).
-    let is_twice = |name: &str| view.modifiers.called(name).nth(1).is_some();
     let is_bare = |one: &&KnownModifier<'_>| {
         !told_there.contains(one.name.as_str())
-            && !is_twice(&one.name)
             && described
                 .get(one.set)
                 .and_then(Option::as_ref)
@@ -129,7 +126,7 @@ fn told(
         .all
         .iter()
         .filter(is_meant)
-        .filter(|one| !moves_nothing(view, one))
+        .filter(|one| !moves_nothing(view, one) && !is_copy(view, one))
         .map(|one| (one.set, one));
     for all in grouped(found).into_values() {
         let Some(first) = all.first() else { continue };

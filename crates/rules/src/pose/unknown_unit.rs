@@ -76,7 +76,7 @@ fn unknown<'v>(body: &Body<'_>, pose: &BodyPose<'v>) -> Option<Vec<&'v str>> {
     let (_, known) = body.unit_names(pose)?;
     let is_known = |unit: &str| known.contains((pose.renewed)(unit).unwrap_or(unit));
     // A bracket that stands elsewhere has a finding of its own (`json-schema`).
-    let units = pose.pose.values.iter().filter(|one| !one.is_nested);
+    let units = pose.pose.values.iter().filter(|one| !one.is_object);
     let units = units.map(|one| &*one.unit);
     let unknown: Vec<&str> = units.filter(|unit| !is_known(unit)).collect();
     (!unknown.is_empty()).then_some(unknown)

@@ -1,12 +1,13 @@
 //! Left and right bones mirror each other.
 
 use super::super::{Check, Rule, RuleCx, such};
+use super::ends::is_negative;
 use super::located::{Placed, apart, by_name, of_body};
 use super::{at_bones, pairs};
 use mhlint_diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use mhlint_eval::side::Side;
 use mhlint_eval::vector::Vec3;
-use mhlint_formats::rig::Rig;
+use mhlint_formats::rig::{End, Rig};
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
@@ -88,9 +89,11 @@ fn unlike(left: &Placed<'_>, right: &Placed<'_>) -> Option<Unlike> {
     }
     let ((left_head, left_tail), (right_head, right_tail)) = (left.found()?, right.found()?);
     let is_off = |own: Vec3, other: Vec3| apart([-own[0], own[1], own[2]], other) > NEAR;
-    match (is_off(left_head, right_head), is_off(left_tail, right_tail)) {
-        (true, _) => Some(Unlike::Head),
-        (_, true) => Some(Unlike::Tail),
-        _ => None,
+    let is_told = |ends: [&Option<End>; 2]| ends.into_iter().flatten().any(is_negative);
+    let (own, other) = (left.bone, right.bone);
+    if is_off(left_head, right_head) && !is_told([&own.head, &other.head]) {
+        return Some(Unlike::Head);
     }
+    let is_unlike = is_off(left_tail, right_tail) && !is_told([&own.tail, &other.tail]);
+    is_unlike.then_some(Unlike::Tail)
 }

@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::at_bones;
+use super::ends::is_negative;
 use super::located::{Placed, apart, of_body, place_in_words};
 use mhlint_diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use mhlint_eval::mpfb::joints::Located;
@@ -92,7 +93,7 @@ fn known<'r>(bones: &[Placed<'r>]) -> Vec<Known<'r>> {
         ]
     });
     let known = ends.filter_map(|(bone, which, end, located)| {
-        let end = end.as_ref()?;
+        let end = end.as_ref().filter(|end| !is_negative(end))?;
         let (DefaultPosition::At(written), Located::Found(found)) = (end.default_position, located)
         else {
             return None;

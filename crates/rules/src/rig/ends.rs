@@ -33,3 +33,9 @@ pub(super) fn listed(end: &End) -> impl Iterator<Item = i64> {
     };
     one.into_iter().chain(many.iter().copied())
 }
+
+/// Whether an end names a negative vertex: it lies elsewhere for that reason, which is a finding of
+/// its own (`rig-vertex-out-of-range`).
+pub(super) fn is_negative(end: &End) -> bool {
+    listed(end).any(|vertex| vertex < 0)
+}

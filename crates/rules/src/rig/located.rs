@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::ends::listed;
 use mhlint_eval::mpfb::joints::{BoneEnd, Joints, Located, Strategy as How};
 use mhlint_eval::mpfb::mix::{USUAL_SCALE, in_blender};
 use mhlint_eval::vector::{Point, Vec3, length, sub};
@@ -81,15 +80,10 @@ pub(super) fn relative_scale(rig: &Rig) -> f64 {
 }
 
 /// The bones of a rig of the body that have two ends which can be read, with the places of the
-/// ends. A bone that names a negative vertex is not among them: it lies elsewhere for that reason,
-/// which is a finding of its own (`rig-vertex-out-of-range`).
+/// ends.
 pub(super) fn placed<'r>(rig: &'r Rig, joints: &Joints<'_>) -> Vec<Placed<'r>> {
     let scale = relative_scale(rig);
-    let at = |one: &Option<End>| {
-        let read = one.as_ref()?;
-        let is_as_meant = listed(read).all(|vertex| vertex >= 0);
-        is_as_meant.then(|| joints.locate(&end(read), scale))
-    };
+    let at = |one: &Option<End>| Some(joints.locate(&end(one.as_ref()?), scale));
     let bones = rig.bones.iter();
     bones
         .filter_map(|bone| {

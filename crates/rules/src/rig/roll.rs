@@ -80,14 +80,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Bones turned by more than a whole turn, if one of them is by more than two: Blender wraps no
-/// angle, so that a bone turned by hand may have a little more than one.
+/// Bones turned by more than a whole turn, if one of them is by more than two or by a whole number:
+/// Blender wraps no angle, so that a bone turned by hand may have a little more than one.
 fn in_degrees(rig: &Rig) -> Vec<&RigBone> {
-    let beyond = |limit: f64| rig.bones.iter().filter(move |bone| bone.roll.abs() > limit);
-    if beyond(2.0 * TAU).next().is_none() {
-        return Vec::new();
+    let beyond = || rig.bones.iter().filter(|bone| bone.roll.abs() > TAU);
+    let is_sure = |bone: &RigBone| bone.roll.abs() > 2.0 * TAU || bone.roll.fract() == 0.0;
+    if beyond().any(is_sure) {
+        beyond().collect()
+    } else {
+        Vec::new()
     }
-    beyond(TAU).collect()
 }
 
 fn finding(

@@ -1,7 +1,7 @@
 //! The vertices at which bones end exist.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::ends::{AT_DEFAULT, ends, has_place, listed};
+use super::ends::{AT_DEFAULT, ends, has_place, is_negative, listed};
 use super::{STOPS, at_bones, stops};
 use mhlint_diag::{Application::Mpfb, Case, Finding, Grouped, Level, RuleInfo, grouped};
 use mhlint_formats::rig::{End, Rig, RigBone};
@@ -48,7 +48,7 @@ fn sort(end: &End, count: i64) -> Option<&'static str> {
     match (is_beyond(end, count), has_place(end)) {
         (true, false) => Some("without default"),
         (true, true) => Some("default"),
-        (false, _) => listed(end).any(|vertex| vertex < 0).then_some("negative"),
+        (false, _) => is_negative(end).then_some("negative"),
     }
 }
 

@@ -16,7 +16,7 @@ use mhlint_eval::proportion::{
     Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize, standing_out,
 };
 use mhlint_eval::tears::Neighbours;
-use mhlint_formats::target::{Largest, TargetFacts};
+use mhlint_formats::target::TargetFacts;
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -69,10 +69,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let mut told: BTreeSet<&str> = BTreeSet::new();
     for (_, file, facts) in targets(body) {
-        // A vertex that does not exist has a finding of its own.
-        let all_exist = facts.out_of_range.count == 0 && facts.negative.count == 0;
-        let exists = |largest: &Largest| all_exist || is_vertex(body, largest);
-        let Some(largest) = facts.largest.filter(exists) else {
+        let Some(largest) = facts.largest else {
             continue;
         };
         let lengths = Lengths {
@@ -109,11 +106,4 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     told.extend(of_folders.iter().map(|(file, _)| file.path.as_str()));
     out.extend(of_folders.into_iter().map(|(_, finding)| finding));
     out.extend(beyond_opposites(&RULE, body, &told));
-}
-
-/// Whether the row that goes farthest moves a vertex of the mesh.
-fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
-    body.mesh.is_some_and(|(_, mesh)| {
-        usize::try_from(largest.index).is_ok_and(|vertex| vertex < mesh.facts.vertices)
-    })
 }
